@@ -1,0 +1,49 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tandem/morph/path_morph.h"
+#include "tandem/shape/shape.h"
+#include "tandem/tandem_io_export.h"
+
+namespace tandem {
+inline namespace v0 {
+
+/// One drawable of an SVG document (path, rect, circle, ellipse, line, polyline, polygon), transforms applied.
+struct SvgElement {
+  std::string id;  ///< empty without one
+  Shape shape;
+};
+
+/// All drawables in document order. Nested groups, `transform`, nested <svg> and `viewBox`, <use> of them,
+/// `fill-rule` and `fill="none"` (attribute or style) are honoured; what is not drawn (defs, symbol, clipPath,
+/// mask, marker, pattern; display none) is left out unless used.
+/// @throws ParseError malformed XML or attribute, or no drawable at all
+[[nodiscard]] TANDEM_IO_EXPORT std::vector<SvgElement> parse_svg(std::string_view text,
+                                                                 const std::string& source = "svg");
+
+/// A still picture of the shape's contours (planar), filled or stroked.
+[[nodiscard]] TANDEM_IO_EXPORT std::string format_svg(const Shape& shape);
+
+struct AnimationOptions {
+  double duration = 2.0;          ///< seconds from the first key to the last
+  std::string easing = "linear";  ///< "linear", "ease", "ease-in", "ease-out", "ease-in-out" or "x1 y1 x2 y2"
+  bool alternate = true;          ///< run back again, for ever
+};
+
+/// An animated SVG (SMIL `animate` of `d`) that loops through the keys of the morph.
+[[nodiscard]] TANDEM_IO_EXPORT std::string format_animated_svg(const PathMorph& morph,
+                                                               const AnimationOptions& options = {});
+
+/// One still frame, all frames in the same viewBox.
+[[nodiscard]] TANDEM_IO_EXPORT std::string format_frame_svg(const PathMorph& morph, double s);
+
+/// A self-contained HTML page (no network): the morph with slider, play button and onion skin.
+[[nodiscard]] TANDEM_IO_EXPORT std::string format_html_player(const PathMorph& morph, const std::string& title,
+                                                              const AnimationOptions& options = {});
+
+}  // namespace v0
+}  // namespace tandem

@@ -1,0 +1,96 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "tandem/match/cost_table.h"
+#include "tandem/progress.h"
+#include "tandem/tandem_export.h"
+
+/// The dynamic programmes. They see cost tables, never curves or norms (docs/architecture.md, decision 5).
+///
+/// All orders are lexicographic: first the least invalidity, then the least cost (spec C5).
+namespace tandem {
+inline namespace v0 {
+
+/// How the costs along a path add up.
+enum class Aggregate {
+  sum,
+  maximum,  ///< the largest cost of the path; among the paths that attain its minimum, the least sum
+};
+
+/// An optimal path. `cost` is without any penalty for invalid nodes.
+struct Path {
+  std::vector<Node> nodes;
+  double cost = 0.0;
+  std::int64_t invalid = 0;  ///< invalid nodes (three steps); invalid length in units of kInvalidQuantum (elastic)
+  bool cancelled = false;    ///< the progress callback said stop; the rest is meaningless
+};
+
+/// Which nodes a restricted programme may visit: row i may use columns lo[i] .. hi[i]. Empty: all of them.
+/// For closed programmes rows and columns are those of the unrolled table (2 * rows rows).
+struct Band {
+  std::vector<int> lo;
+  std::vector<int> hi;
+};
+
+// --- three steps: (1,1), (0,1), (1,0), costs at nodes; [C] eq. (7) ---
+
+/// Optimal path (0,0) -> (rows-1, cols-1). Ties: diagonal first, then (i, j-1), then (i-1, j).
+[[nodiscard]] TANDEM_EXPORT Path open_path(const NodeTable& table, Aggregate aggregate = Aggregate::sum,
+                                           const Band& band = {});
+
+/// The table Cost(i,j) of [C] eq. (7), rows * cols, with `penalty` for an invalid node in place of its cost
+/// ([C]: 2m, here rows + cols): for figures and comparison.
+[[nodiscard]] TANDEM_EXPORT std::vector<double> accumulated_costs(const NodeTable& table);
+
+/// Optimal closed path over all starts k: (k,0) -> (k + rows, cols) on the doubled grid, the start node counted
+/// once (toroidal form: Fuchs, Kedem, Uselton 1977; spec C10). The first node has 0 <= i < rows, j = 0; the last
+/// is first + (rows, cols).
+[[nodiscard]] TANDEM_EXPORT Path closed_path(const NodeTable& table, Aggregate aggregate = Aggregate::sum,
+                                             const Progress& progress = {});
+
+/// The paper's form for closed curves: for every cyclic shift k of the columns the open programme with both ends
+/// pinned, (0,k) -> (rows-1, k + cols-1); the best of all shifts, the smallest on a tie.
+[[nodiscard]] TANDEM_EXPORT Path pinned_path(const NodeTable& table, Aggregate aggregate = Aggregate::sum,
+                                             const Progress& progress = {});
+
+// --- elastic: steps (a,b), costs at edges ---
+
+/// Unit in which the elastic programme counts invalid length, as a share of the (normalised) length. Whole units
+/// make the lexicographic order independent of rounding.
+inline constexpr double kInvalidQuantum = 1.0 / 4294967296.0;
+
+/// The steps (a,b) with 1 <= a,b <= longest and gcd(a,b) = 1, by a, then b.
+[[nodiscard]] TANDEM_EXPORT std::vector<Step> coprime_steps(int longest = 6);
+
+/// Costs of all edges (i-a, j-b) -> (i,j), by end node, then by step.
+///
+/// Open: nodes are 0..rows-1 x 0..cols-1, and edges that would start outside hold infinity. Closed: indices are
+/// taken modulo rows and cols.
+struct EdgeTable {
+  std::size_t rows = 0;
+  std::size_t cols = 0;
+  bool closed = false;
+  std::vector<Step> steps;
+  std::vector<double> cost;           ///< rows * cols * steps
+  std::vector<std::int64_t> invalid;  ///< in units of kInvalidQuantum
+
+  [[nodiscard]] std::size_t index(std::size_t i, std::size_t j) const noexcept {
+    return (i * cols + j) * steps.size();
+  }
+};
+
+/// Optimal path (0,0) -> (rows-1, cols-1); empty when the steps cannot reach the end.
+/// Ties: the step nearest the diagonal first, then the smaller a.
+[[nodiscard]] TANDEM_EXPORT Path open_path(const EdgeTable& table, Aggregate aggregate = Aggregate::sum,
+                                           const Band& band = {});
+
+/// Optimal closed path over all starts (k,l), 0 <= k < rows, 0 <= l < longest step (a path may jump over column
+/// 0; spec C10). Exact: branch and bound over the starts, with a bound from the programme that has many of them.
+[[nodiscard]] TANDEM_EXPORT Path closed_path(const EdgeTable& table, Aggregate aggregate = Aggregate::sum,
+                                             const Band& band = {}, const Progress& progress = {});
+
+}  // namespace v0
+}  // namespace tandem

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "tandem/match/match.h"
+#include "tandem/shape/shape.h"
+#include "tandem/tandem_export.h"
+
+namespace tandem {
+inline namespace v0 {
+
+struct MorphOptions {
+  MatchOptions match;
+};
+
+/// A morph through n key shapes: matching happens once, in the constructor; at(s) only blends.
+///
+/// Affine blend ([C] eq. (1), spec C2, C15a) of the matched contours, which are brought into one function space
+/// (common degree, knots and denominator, exact). Contours are paired in order; one without a partner grows from,
+/// or shrinks to, its own centre. Key i stands at s = i / (n - 1).
+class TANDEM_EXPORT Morph {
+ public:
+  /// Matches each shape with the next (spec C14). @throws InvalidArgument fewer than two keys, a key without
+  /// contours, different dimensions, and as match()
+  explicit Morph(std::span<const Shape> keys, const MorphOptions& options = {});
+  /// The morph of two curves that are already matched.
+  Morph(const Curve& a, const Curve& b, const Match& match);
+
+  /// The in-between at s. s < 0 and s > 1 extrapolate along the first and the last pair of keys.
+  [[nodiscard]] Shape at(double s) const;
+
+  [[nodiscard]] std::size_t key_count() const noexcept { return key_count_; }
+  [[nodiscard]] std::size_t contour_count() const noexcept { return contours_.size(); }
+  /// The compatible curves of one contour, one per key, over one domain.
+  [[nodiscard]] std::span<const Curve> keys(std::size_t contour) const noexcept { return contours_[contour]; }
+  /// The match of key `key` with key + 1 in `contour`; nothing where a contour has no partner.
+  [[nodiscard]] const std::optional<Match>& match(std::size_t key, std::size_t contour) const {
+    return matches_[key][contour];
+  }
+  /// The progress callback said stop: the morph must not be used.
+  [[nodiscard]] bool cancelled() const noexcept { return cancelled_; }
+
+ private:
+  std::size_t key_count_ = 0;
+  FillRule fill_rule_ = FillRule::nonzero;
+  bool cancelled_ = false;
+  std::vector<std::vector<Curve>> contours_;                ///< [contour][key]
+  std::vector<std::vector<std::optional<Match>>> matches_;  ///< [key][contour], key_count - 1 rows
+};
+
+/// Position of s among n keys: between key `key` and `key + 1`, at `local` (outside [0,1] when extrapolating).
+struct KeyPosition {
+  std::size_t key = 0;
+  double local = 0.0;
+};
+[[nodiscard]] TANDEM_EXPORT KeyPosition locate_key(double s, std::size_t key_count);
+
+}  // namespace v0
+}  // namespace tandem

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "tandem/morph/morph.h"
+#include "tandem/shape/cubic_path.h"
+#include "tandem/tandem_export.h"
+
+namespace tandem {
+inline namespace v0 {
+
+/// One contour of a planar morph as cubics: every key has the same segments, so that blending is point by point.
+struct PathContour {
+  std::vector<CubicPath> keys;
+  std::vector<bool> lines;  ///< per segment: a straight line in every key, and so in every in-between
+};
+
+/// A planar morph redrawn as compatible cubic paths: what SVG, CSS, Lottie and the HTML player speak.
+///
+/// Exact for polynomial contours of degree <= 3; others are approximated, all keys with the same breaks, within
+/// `tolerance` times the diagonal of the keys.
+class TANDEM_EXPORT PathMorph {
+ public:
+  /// @throws InvalidArgument the morph is not planar
+  explicit PathMorph(const Morph& morph, double tolerance = 1e-5);
+
+  /// The in-between at s: one path per contour, always with the same number of segments.
+  [[nodiscard]] std::vector<CubicPath> at(double s) const;
+  [[nodiscard]] const std::vector<PathContour>& contours() const noexcept { return contours_; }
+  [[nodiscard]] std::size_t key_count() const noexcept { return key_count_; }
+  [[nodiscard]] FillRule fill_rule() const noexcept { return fill_rule_; }
+  /// Box around all keys.
+  [[nodiscard]] const Box& box() const noexcept { return box_; }
+
+ private:
+  std::size_t key_count_ = 0;
+  FillRule fill_rule_ = FillRule::nonzero;
+  std::vector<PathContour> contours_;
+  Box box_;
+};
+
+}  // namespace v0
+}  // namespace tandem
