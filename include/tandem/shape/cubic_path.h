@@ -25,7 +25,7 @@ class TANDEM_EXPORT CubicPath {
   /// The four control points of segment i.
   [[nodiscard]] std::array<std::span<const double>, 4> segment(std::size_t i) const noexcept;
   /// Segment i is a line run through at constant speed: its handles stand at the thirds within `tolerance`
-  /// (absolute).
+  /// (absolute, in each coordinate).
   [[nodiscard]] bool is_line(std::size_t i, double tolerance) const;
 
   friend bool operator==(const CubicPath&, const CubicPath&) = default;
@@ -35,8 +35,8 @@ class TANDEM_EXPORT CubicPath {
   bool closed_ = false;
 };
 
-/// The path as a B-spline of degree 3 over [0, k] with triple knots at the joints; exact. Joints that are C1 or
-/// smoother keep their triple knot: the parameter is the path's own (segment i over [i, i + 1]).
+/// The path as a B-spline of degree 3 over [0, k] with triple knots at the joints; exact. Joints that are C1
+/// or smoother keep their triple knot: the parameter is the path's own (segment i over [i, i + 1]).
 [[nodiscard]] TANDEM_EXPORT Curve to_curve(const CubicPath& path);
 
 /// The curve as cubics: exact for polynomial curves of degree <= 3, otherwise within `tolerance` (absolute,

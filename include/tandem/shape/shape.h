@@ -25,7 +25,8 @@ struct TANDEM_EXPORT Shape {
 };
 
 /// The exact curves of cubic paths.
-[[nodiscard]] TANDEM_EXPORT Shape to_shape(std::span<const CubicPath> paths, FillRule fill_rule = FillRule::nonzero);
+[[nodiscard]] TANDEM_EXPORT Shape to_shape(std::span<const CubicPath> paths,
+                                           FillRule fill_rule = FillRule::nonzero);
 
 /// The box around all contours.
 [[nodiscard]] TANDEM_EXPORT Box bounding_box(const Shape& shape);

@@ -19,14 +19,16 @@ struct Vec2 {
 struct TANDEM_EXPORT Transform {
   double a = 1.0, b = 0.0, c = 0.0, d = 1.0, e = 0.0, f = 0.0;
 
-  [[nodiscard]] Vec2 operator()(Vec2 p) const noexcept { return {a * p.x + c * p.y + e, b * p.x + d * p.y + f}; }
+  [[nodiscard]] Vec2 operator()(Vec2 p) const noexcept {
+    return {a * p.x + c * p.y + e, b * p.x + d * p.y + f};
+  }
   /// this after inner: (outer * inner)(p) = outer(inner(p)).
   [[nodiscard]] Transform operator*(const Transform& inner) const noexcept;
 
   [[nodiscard]] static Transform translate(double x, double y) noexcept { return {1, 0, 0, 1, x, y}; }
   [[nodiscard]] static Transform scale(double x, double y) noexcept { return {x, 0, 0, y, 0, 0}; }
-  /// Counter-clockwise in a system with y up (clockwise on a screen); our own sine and cosine, so that results
-  /// agree on every platform.
+  /// Counter-clockwise in a system with y up (clockwise on a screen); our own sine and cosine, so that
+  /// results agree on every platform.
   [[nodiscard]] static Transform rotate_degrees(double angle) noexcept;
   [[nodiscard]] static Transform skew_x_degrees(double angle) noexcept;
   [[nodiscard]] static Transform skew_y_degrees(double angle) noexcept;
