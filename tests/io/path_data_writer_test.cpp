@@ -1,0 +1,78 @@
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#include "io/number.h"
+#include "tandem/error.h"
+#include "tandem/io/path_data.h"
+
+namespace tandem {
+namespace {
+
+TEST(Number, IsPlainAndShort) {
+  EXPECT_EQ(format_number(0.0), "0");
+  EXPECT_EQ(format_number(-0.0), "0");
+  EXPECT_EQ(format_number(0.5), "0.5");
+  EXPECT_EQ(format_number(-0.25), "-0.25");
+  EXPECT_EQ(format_number(100.0), "100");
+  EXPECT_EQ(format_number(0.1 + 0.2), "0.30000000000000004");
+  EXPECT_EQ(format_number(1.25e-5), "0.0000125");
+  EXPECT_EQ(format_number(-1e-7), "-0.0000001");
+  EXPECT_EQ(format_number(1e-8), "1e-08");
+  EXPECT_EQ(format_number(1e17), "100000000000000000");
+  EXPECT_EQ(format_number(-1.5e20), "-150000000000000000000");
+  EXPECT_EQ(format_number(1e21), "1e+21");
+  EXPECT_EQ(format_number(1e300), "1e+300");
+}
+
+TEST(Number, KeepsTheDecimalsAskedFor) {
+  EXPECT_EQ(format_number(1.0 / 3.0, 3), "0.333");
+  EXPECT_EQ(format_number(2.0, 3), "2");
+  EXPECT_EQ(format_number(2.5, 3), "2.5");
+  EXPECT_EQ(format_number(120.0, 0), "120");
+  EXPECT_EQ(format_number(-0.0001, 3), "0");
+  EXPECT_EQ(format_number(-0.6, 0), "-1");
+  EXPECT_EQ(format_number(1e300, 3), "1e+300");
+  EXPECT_EQ(format_number(0.1, 1000000), "0.100000000000000005551115123126");
+}
+
+TEST(Number, AppendsWithoutTouchingWhatIsThere) {
+  std::string text = "10.00";
+  append_number(text, 20.0, 2);
+  EXPECT_EQ(text, "10.0020");
+}
+
+TEST(Number, ShortestTextReadsBackEqual) {
+  EXPECT_TRUE(rc::check([] {
+    const auto mantissa = *rc::gen::inRange(std::int64_t{-1} << 53, std::int64_t{1} << 53);
+    const double x = std::ldexp(static_cast<double>(mantissa), *rc::gen::inRange(-1100, 950));
+    const std::string text = format_number(x);
+    RC_ASSERT(std::strtod(text.c_str(), nullptr) == x);
+    const double size = std::fabs(x);
+    if (size >= 1e-7 && size < 1e21) RC_ASSERT(text.find('e') == std::string::npos);
+  }));
+}
+
+TEST(PathDataWriter, WritesAbsoluteCommandsOnly) {
+  const std::vector<CubicPath> paths{
+      CubicPath(Points({{0, 0}, {1, 0}, {2, 0}, {3, 0}, {3, 2}, {2, 3}, {0, 0}}), true),
+      CubicPath(Points({{-1, -1}, {-2, 0.5}, {0, 0}, {1, 1}}))};
+  EXPECT_EQ(format_path_data(paths), "M0 0C1 0 2 0 3 0C3 2 2 3 0 0ZM-1 -1C-2 0.5 0 0 1 1");
+  const std::vector<std::vector<bool>> lines{{true, false}};
+  EXPECT_EQ(format_path_data(paths, lines), "M0 0L3 0C3 2 2 3 0 0ZM-1 -1C-2 0.5 0 0 1 1");
+  EXPECT_EQ(format_path_data(paths, lines, 0), "M0 0L3 0C3 2 2 3 0 0ZM-1 -1C-2 1 0 0 1 1");
+  EXPECT_EQ(format_path_data({}), "");
+}
+
+TEST(PathDataWriter, WantsThePlane) {
+  const std::vector<CubicPath> paths{CubicPath(Points({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}}))};
+  EXPECT_THROW((void)format_path_data(paths), InvalidArgument);
+}
+
+}  // namespace
+}  // namespace tandem
