@@ -61,10 +61,10 @@ TEST(Number, ShortestTextReadsBackEqual) {
 TEST(PathDataWriter, WritesAbsoluteCommandsOnly) {
   const std::vector<CubicPath> paths{
       CubicPath(Points({{0, 0}, {1, 0}, {2, 0}, {3, 0}, {3, 2}, {2, 3}, {0, 0}}), true),
-      CubicPath(Points({{-1, -1}, {-2, 0.5}, {0, 0}, {1, 1}}))};
-  EXPECT_EQ(format_path_data(paths), "M0 0C1 0 2 0 3 0C3 2 2 3 0 0ZM-1 -1C-2 0.5 0 0 1 1");
+      CubicPath(Points({{-1, -1}, {-2, 0.75}, {0, 0}, {1, 1}}))};
+  EXPECT_EQ(format_path_data(paths), "M0 0C1 0 2 0 3 0C3 2 2 3 0 0ZM-1 -1C-2 0.75 0 0 1 1");
   const std::vector<std::vector<bool>> lines{{true, false}};
-  EXPECT_EQ(format_path_data(paths, lines), "M0 0L3 0C3 2 2 3 0 0ZM-1 -1C-2 0.5 0 0 1 1");
+  EXPECT_EQ(format_path_data(paths, lines), "M0 0L3 0C3 2 2 3 0 0ZM-1 -1C-2 0.75 0 0 1 1");
   EXPECT_EQ(format_path_data(paths, lines, 0), "M0 0L3 0C3 2 2 3 0 0ZM-1 -1C-2 1 0 0 1 1");
   EXPECT_EQ(format_path_data({}), "");
 }
