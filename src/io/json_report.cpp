@@ -56,7 +56,7 @@ class ReportWriter {
   void number(std::string_view key, double value) {
     start(key);
     if (std::isfinite(value)) {
-      append_number(out_, value);
+      append_json_number(out_, value);
     } else {
       out_ += "null";
     }
@@ -88,9 +88,9 @@ void append_pairs(std::string& out, const Range& range, First first, Second seco
   for (const auto& item : range) {
     out += comma ? ", [" : "[";
     comma = true;
-    append_number(out, static_cast<double>(first(item)));
+    append_json_number(out, static_cast<double>(first(item)));
     out += ", ";
-    append_number(out, static_cast<double>(second(item)));
+    append_json_number(out, static_cast<double>(second(item)));
     out += ']';
   }
   out += ']';
@@ -101,8 +101,8 @@ void append_rotation(std::string& out, const std::vector<double>& rotation, int 
   const auto n = static_cast<std::size_t>(dim);
   if (dim == 2) {
     static constexpr double kNone[] = {1.0, 0.0};
-    append_numbers(out,
-                   rotation.size() == 2 ? std::span<const double>(rotation) : std::span<const double>(kNone));
+    append_json_numbers(
+        out, rotation.size() == 2 ? std::span<const double>(rotation) : std::span<const double>(kNone));
     return;
   }
   Points rows(dim, n);
@@ -111,16 +111,16 @@ void append_rotation(std::string& out, const std::vector<double>& rotation, int 
       rows[i][k] = rotation.size() == n * n ? rotation[i * n + k] : (i == k ? 1.0 : 0.0);
     }
   }
-  append_points(out, rows);
+  append_json_points(out, rows);
 }
 
 void append_reparametrization(std::string& out, const Reparametrization& reparametrization) {
   fmt::format_to(std::back_inserter(out), R"({{"degree": {}, "knots": )", reparametrization.v.degree());
-  append_numbers(out, reparametrization.v.knots());
+  append_json_numbers(out, reparametrization.v.knots());
   out += R"(, "points": )";
-  append_points(out, reparametrization.v.control_points());
+  append_json_points(out, reparametrization.v.control_points());
   out += R"(, "max_deviation": )";
-  append_number(out, reparametrization.max_deviation);
+  append_json_number(out, reparametrization.max_deviation);
   out += '}';
 }
 
@@ -151,7 +151,7 @@ std::string format_json_report(const Match& match) {
       writer.field("correspondence"), match.correspondence.points,
       [](const ParameterPair& pair) { return pair.u; }, [](const ParameterPair& pair) { return pair.v; });
   append_reparametrization(writer.field("reparametrization"), match.reparametrization);
-  append_curve(writer.field("curve"), match.curve);
+  append_json_curve(writer.field("curve"), match.curve);
   std::string& seconds = writer.field("seconds");
   seconds +=
       fmt::format(R"({{"sample": {:.6f}, "match": {:.6f}, "fit": {:.6f}, "compose": {:.6f}}})",

@@ -12,7 +12,7 @@
 namespace tandem {
 inline namespace v0 {
 
-void append_number(std::string& out, double value) {
+void append_json_number(std::string& out, double value) {
   if (!std::isfinite(value)) throw InvalidArgument(fmt::format("{} cannot be written as JSON", value));
   if (value == 0.0 && std::signbit(value)) {
     out += "-0.0";  // "-0" is an integer to many readers, and loses its sign
@@ -21,32 +21,32 @@ void append_number(std::string& out, double value) {
   }
 }
 
-void append_numbers(std::string& out, std::span<const double> values) {
+void append_json_numbers(std::string& out, std::span<const double> values) {
   out += '[';
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (i > 0) out += ", ";
-    append_number(out, values[i]);
+    append_json_number(out, values[i]);
   }
   out += ']';
 }
 
-void append_points(std::string& out, const Points& points) {
+void append_json_points(std::string& out, const Points& points) {
   out += '[';
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (i > 0) out += ", ";
-    append_numbers(out, points[i]);
+    append_json_numbers(out, points[i]);
   }
   out += ']';
 }
 
-void append_curve(std::string& out, const Curve& curve) {
+void append_json_curve(std::string& out, const Curve& curve) {
   fmt::format_to(std::back_inserter(out), R"({{"type": "bspline", "degree": {}, "knots": )", curve.degree());
-  append_numbers(out, curve.knots());
+  append_json_numbers(out, curve.knots());
   out += R"(, "points": )";
-  append_points(out, curve.control_points());
+  append_json_points(out, curve.control_points());
   if (curve.is_rational()) {
     out += R"(, "weights": )";
-    append_numbers(out, curve.weights());
+    append_json_numbers(out, curve.weights());
   }
   if (curve.is_periodic()) out += R"(, "periodic": true)";
   out += '}';
@@ -55,14 +55,14 @@ void append_curve(std::string& out, const Curve& curve) {
 std::string format_json_curves(std::span<const Curve> curves) {
   std::string out;
   if (curves.size() == 1) {
-    append_curve(out, curves.front());
+    append_json_curve(out, curves.front());
     out += '\n';
     return out;
   }
   out += R"({"curves": [)";
   for (std::size_t i = 0; i < curves.size(); ++i) {
     out += i == 0 ? "\n  " : ",\n  ";
-    append_curve(out, curves[i]);
+    append_json_curve(out, curves[i]);
   }
   out += "\n]}\n";
   return out;
