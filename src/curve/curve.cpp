@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "curve/evaluator.h"
+#include "curve/norm.h"
 #include "tandem/curve/knots.h"
 #include "tandem/error.h"
 
@@ -97,16 +98,6 @@ void check_weights(const std::vector<double>& weights) {
   }
 }
 
-// Length of the vector (its components given one by one), scaled so that no square overflows or vanishes.
-double scaled_norm(std::span<const double> v) {
-  double largest = 0.0;
-  for (const double x : v) largest = std::max(largest, std::abs(x));
-  if (largest == 0.0) return 0.0;
-  double sum = 0.0;
-  for (const double x : v) sum += (x / largest) * (x / largest);
-  return largest * std::sqrt(sum);
-}
-
 double diagonal(const Points& points) {
   const std::size_t n = points.size();
   const auto dim = static_cast<std::size_t>(points.dim());
@@ -141,7 +132,7 @@ bool ends_meet(const Curve& curve) {
   evaluator.point(curve.domain().lo, a);
   evaluator.point(curve.domain().hi, b);
   for (std::size_t c = 0; c < dim; ++c) a[c] -= b[c];
-  return scaled_norm(a) <= kClosedTolerance * curve.extent();
+  return detail::scaled_norm(a) <= kClosedTolerance * curve.extent();
 }
 
 bool repeats_itself(const Curve& curve) {
@@ -161,7 +152,7 @@ bool repeats_itself(const Curve& curve) {
     for (std::size_t c = 0; c < dim; ++c) {
       gap[c] = curve.control_points()[shift + i][c] - curve.control_points()[i][c];
     }
-    if (scaled_norm(gap) > kClosedTolerance * curve.extent()) return false;
+    if (detail::scaled_norm(gap) > kClosedTolerance * curve.extent()) return false;
     if (curve.is_rational() &&
         std::abs(curve.weights()[shift + i] - curve.weights()[i]) > kClosedTolerance * curve.weights()[i]) {
       return false;

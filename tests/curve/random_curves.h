@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstddef>
 #include <random>
+#include <span>
 #include <vector>
 
 #include "tandem/curve/curve.h"
@@ -99,6 +100,12 @@ inline std::vector<double> probes(const Curve& curve, int count = 37) {
     }
   }
   return result;
+}
+
+inline double norm(std::span<const double> v) {
+  double sum = 0.0;
+  for (const double x : v) sum += x * x;
+  return std::sqrt(sum);
 }
 
 inline double distance(const Point& a, const Point& b) {
