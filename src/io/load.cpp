@@ -1,0 +1,276 @@
+#include "tandem/io/load.h"
+
+#include <fmt/format.h>
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "io/scan_number.h"
+#include "io/svg_reader.h"
+#include "io/text_position.h"
+#include "tandem/error.h"
+#include "tandem/io/csv.h"
+#include "tandem/io/files.h"
+#include "tandem/io/font.h"
+#include "tandem/io/itd.h"
+#include "tandem/io/json.h"
+#include "tandem/io/path_data.h"
+#include "tandem/io/svg.h"
+#include "tandem/shape/transform.h"
+
+namespace tandem {
+inline namespace v0 {
+namespace {
+
+enum class Format { svg, font, json, itd, csv, path_data, cad, compressed, unknown };
+
+struct Extension {
+  std::string_view name;
+  Format format;
+};
+
+constexpr std::array<Extension, 19> kExtensions = {{{"svg", Format::svg},
+                                                    {"ttf", Format::font},
+                                                    {"otf", Format::font},
+                                                    {"ttc", Format::font},
+                                                    {"otc", Format::font},
+                                                    {"woff", Format::font},
+                                                    {"woff2", Format::font},
+                                                    {"pfb", Format::font},
+                                                    {"pfa", Format::font},
+                                                    {"json", Format::json},
+                                                    {"itd", Format::itd},
+                                                    {"csv", Format::csv},
+                                                    {"tsv", Format::csv},
+                                                    {"step", Format::cad},
+                                                    {"stp", Format::cad},
+                                                    {"iges", Format::cad},
+                                                    {"igs", Format::cad},
+                                                    {"brep", Format::cad},
+                                                    {"svgz", Format::compressed}}};
+
+bool exists(const std::string& path) {
+  struct stat status {};
+  return !path.empty() && ::stat(path.c_str(), &status) == 0;
+}
+
+Format format_of_extension(std::string_view path) {
+  const std::size_t slash = path.find_last_of('/');
+  if (slash != std::string_view::npos) path.remove_prefix(slash + 1);
+  const std::size_t dot = path.find_last_of('.');
+  if (dot == std::string_view::npos) return Format::unknown;
+  std::string extension(path.substr(dot + 1));
+  for (char& c : extension) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  const auto found = std::find_if(kExtensions.begin(), kExtensions.end(),
+                                  [&](const Extension& candidate) { return candidate.name == extension; });
+  return found == kExtensions.end() ? Format::unknown : found->format;
+}
+
+bool is_separator(char c) {
+  return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f' || c == ',';
+}
+
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+
+std::string_view without_leading_separators(std::string_view text) {
+  while (!text.empty() && is_separator(text.front())) text.remove_prefix(1);
+  return text;
+}
+
+/// M or m, then optional separators, then a number.
+bool is_path_data(std::string_view text) {
+  text = without_leading_separators(text);
+  if (text.empty() || (text.front() != 'M' && text.front() != 'm')) return false;
+  return starts_number(without_leading_separators(text.substr(1)));
+}
+
+bool is_font(std::string_view text) {
+  using namespace std::string_view_literals;
+  constexpr std::array<std::string_view, 7> kMagic = {"\0\1\0\0"sv, "OTTO"sv, "true"sv,  "ttcf"sv,
+                                                      "wOFF"sv,     "wOF2"sv, "%!PS-A"sv};
+  return std::any_of(kMagic.begin(), kMagic.end(),
+                     [text](std::string_view magic) { return text.substr(0, magic.size()) == magic; });
+}
+
+/// Told by how a text starts: standard input and files of no known extension.
+Format format_of_content(std::string_view text) {
+  if (is_font(text)) return Format::font;
+  if (text.substr(0, 2) == "\x1F\x8B") return Format::compressed;
+  text = without_leading_separators(without_bom(text));
+  if (text.empty()) return Format::unknown;
+  const char first = text.front();
+  if (first == '<') return Format::svg;
+  if (first == '{') return Format::json;
+  if (first == '[') {
+    // "[OBJECT" or "[1": a list of IRIT's, or a JSON array.
+    const std::string_view inside = without_leading_separators(text.substr(1));
+    const bool word = !inside.empty() && inside.front() >= 'A' && inside.front() <= 'Z';
+    return word ? Format::itd : Format::json;
+  }
+  if (is_path_data(text)) return Format::path_data;
+  if (text.find("[OBJECT") != std::string_view::npos) return Format::itd;
+  if (is_digit(first) || first == '-' || first == '+' || first == '.' || first == '#') return Format::csv;
+  return Format::unknown;
+}
+
+/// A file and what is wanted of it.
+struct Name {
+  std::string path;
+  std::optional<std::string> part;
+};
+
+/// An existing file wins; of the ways to cut FILE#PART the one with the longest existing file.
+std::optional<Name> existing_file(const std::string& name) {
+  if (exists(name)) return Name{name, std::nullopt};
+  for (std::size_t mark = name.rfind('#'); mark != std::string::npos && mark > 0;
+       mark = name.rfind('#', mark - 1)) {
+    std::string path = name.substr(0, mark);
+    if (mark + 1 < name.size() && exists(path)) return Name{std::move(path), name.substr(mark + 1)};
+  }
+  return std::nullopt;
+}
+
+std::optional<std::size_t> index_of(const std::string& part) {
+  constexpr std::size_t kMostDigits = 9;
+  if (part.empty() || part.size() > kMostDigits || !std::all_of(part.begin(), part.end(), is_digit)) {
+    return std::nullopt;
+  }
+  return static_cast<std::size_t>(*parse_number(part));
+}
+
+[[noreturn]] void fail(const std::string& source, const std::string& message) {
+  throw ParseError(source, 0, 0, message);
+}
+
+/// Curves of one file as the contours of one shape.
+Shape shape_of(std::vector<Curve> curves, const Name& name) {
+  Shape shape;
+  if (name.part) {
+    const std::optional<std::size_t> index = index_of(*name.part);
+    if (!index || *index >= curves.size()) {
+      fail(name.path, fmt::format("there is no curve #{}; it has {} (#0 to #{})", *name.part, curves.size(),
+                                  curves.size() - 1));
+    }
+    shape.contours.push_back(std::move(curves[*index]));
+    return shape;
+  }
+  for (std::size_t i = 1; i < curves.size(); ++i) {
+    if (curves[i].dim() != curves[0].dim()) {
+      fail(name.path,
+           fmt::format("curve 0 is of dimension {}, curve {} of dimension {}: name one of them with #0, #1, "
+                       "...",
+                       curves[0].dim(), i, curves[i].dim()));
+    }
+  }
+  shape.contours = std::move(curves);
+  return shape;
+}
+
+/// FILE.svg#ID, or FILE.svg#3 when no element has that id.
+Shape svg_shape(std::string_view text, const Name& name) {
+  if (!name.part) return merge(parse_svg(text, name.path));
+  const std::optional<std::size_t> index = index_of(*name.part);
+  if (!index) return merge(parse_svg_part(text, *name.part, name.path));
+  const std::vector<SvgElement> elements = parse_svg(text, name.path);
+  const bool is_id = std::any_of(elements.begin(), elements.end(),
+                                 [&](const SvgElement& element) { return element.id == *name.part; });
+  if (is_id) return merge(parse_svg_part(text, *name.part, name.path));
+  if (*index >= elements.size()) {
+    fail(name.path, fmt::format("there is no drawable #{}; it has {} (#0 to #{})", *index, elements.size(),
+                                elements.size() - 1));
+  }
+  return elements[*index].shape;
+}
+
+/// Fonts have y up, everything else that is planar has y down.
+Shape glyph_shape(const Name& name) {
+  if (!name.part) fail(name.path, "is a font, expected a glyph of it: FONT.ttf#A");
+  Shape shape = read_glyph(name.path, *name.part);
+  for (Curve& contour : shape.contours) contour = transform(contour, Transform::scale(1.0, -1.0));
+  return shape;
+}
+
+Shape path_data_shape(std::string_view text, const std::string& source, const LoadOptions& options) {
+  Shape shape = to_shape(parse_path_data(without_bom(text), source), options.fill_rule);
+  if (shape.contours.empty()) fail(source, "draws nothing");
+  return shape;
+}
+
+[[noreturn]] void fail_part(const Name& name, std::string_view kind) {
+  fail(name.path, fmt::format("is {}, which has no parts; '#{}' names none", kind, *name.part));
+}
+
+Shape parse(std::string_view text, Format format, const Name& name, const LoadOptions& options) {
+  switch (format) {
+    case Format::svg:
+      return svg_shape(text, name);
+    case Format::json:
+      return shape_of(parse_json_curves(text, name.path), name);
+    case Format::itd:
+      return shape_of(parse_itd(text, name.path), name);
+    case Format::csv:
+      if (name.part) fail_part(name, "a table");
+      return shape_of({parse_csv(text, name.path)}, name);
+    case Format::path_data:
+      if (name.part) fail_part(name, "path data");
+      return path_data_shape(text, name.path, options);
+    case Format::compressed:
+      fail(name.path, "is compressed, expected plain text (gunzip it first)");
+    case Format::cad:
+      throw InvalidArgument(
+          fmt::format("{}: this program was built without the CAD component, which reads STEP, IGES and BREP",
+                      name.path));
+    case Format::font:
+    case Format::unknown:
+      break;
+  }
+  if (text.empty()) fail(name.path, "is empty");
+  fail(name.path, "is of no known kind: expected SVG, JSON, ITD, CSV, path data or a font");
+}
+
+Shape load_file(const Name& name, const LoadOptions& options) {
+  const Format by_name = format_of_extension(name.path);
+  if (by_name == Format::font) return glyph_shape(name);
+  if (by_name == Format::cad) return parse({}, by_name, name, options);
+  const std::string text = read_file(name.path);
+  if (text.empty()) fail(name.path, "is empty");
+  const Format format = by_name == Format::unknown ? format_of_content(text) : by_name;
+  if (format == Format::font) return glyph_shape(name);
+  return parse(text, format, name, options);
+}
+
+/// Whether someone who writes this means a file.
+bool looks_like_a_file(const std::string& name) {
+  const std::string path = name.substr(0, name.find('#'));
+  return format_of_extension(path) != Format::unknown;
+}
+
+}  // namespace
+
+Shape load_shape(const std::string& name, const LoadOptions& options) {
+  if (name == "-" || name.rfind("-#", 0) == 0) {
+    const std::string text = read_file("-");
+    Name input{"standard input", std::nullopt};
+    if (name.size() > 2) input.part = name.substr(2);
+    return parse(text, format_of_content(text), input, options);
+  }
+  if (const std::optional<Name> file = existing_file(name)) return load_file(*file, options);
+  if (looks_like_a_file(name)) throw IoError(fmt::format("cannot read {}: there is no such file", name));
+  if (is_path_data(name)) return path_data_shape(name, "path data", options);
+  if (name.find('/') != std::string::npos || name.find('#') != std::string::npos) {
+    throw IoError(fmt::format("cannot read {}: there is no such file", name));
+  }
+  throw InvalidArgument(
+      fmt::format("'{}' is neither a file nor path data (M or m, and a number)", name.substr(0, 80)));
+}
+
+}  // namespace v0
+}  // namespace tandem

@@ -1,0 +1,205 @@
+#include "io/svg_style.h"
+
+#include <algorithm>
+
+namespace tandem {
+inline namespace v0 {
+namespace {
+
+constexpr std::array<std::string_view, kSvgProperties> kNames = {"fill",    "stroke",     "fill-rule",
+                                                                 "display", "visibility", "transform"};
+
+// Strengths of the cascade (CSS Cascading and Inheritance 4, section 6): presentation attributes give way to
+// every rule; among rules ids beat classes beat names; the style attribute beats rules; !important beats all
+// that is not.
+constexpr int kAttribute = 0;
+constexpr int kUniversalRule = 1;
+constexpr int kNameRule = 2;
+constexpr int kClassRule = 10;
+constexpr int kIdRule = 100;
+constexpr int kStyleAttribute = 1000;
+constexpr int kImportant = 10000;
+
+bool is_blank(char c) {
+  return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f';
+}
+
+std::string_view trimmed(std::string_view text) {
+  while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
+  while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
+  return text;
+}
+
+bool equals_ignoring_case(std::string_view a, std::string_view b) {
+  const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
+                    [&](char x, char y) { return lower(x) == lower(y); });
+}
+
+/// Calls f with every part of `text` between separators, none of which stands inside brackets.
+template <typename Function>
+void for_each_part(std::string_view text, char separator, Function f) {
+  std::size_t start = 0;
+  int depth = 0;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '(') ++depth;
+    if (text[i] == ')') depth = std::max(depth - 1, 0);
+    if (text[i] != separator || depth > 0) continue;
+    f(trimmed(text.substr(start, i - start)));
+    start = i + 1;
+  }
+  f(trimmed(text.substr(start)));
+}
+
+void weigh(std::optional<Declaration>& place, const Declaration& declaration) {
+  if (!place) place.emplace();
+  place->weigh(declaration);
+}
+
+/// "fill: none; stroke: red !important"
+void read_declarations(std::string_view body, int strength, unsigned order, Declarations& into) {
+  for_each_part(body, ';', [&](std::string_view declaration) {
+    const std::size_t colon = declaration.find(':');
+    if (colon == std::string_view::npos) return;
+    const std::string_view property = trimmed(declaration.substr(0, colon));
+    for (std::size_t k = 0; k < kSvgProperties; ++k) {
+      if (!equals_ignoring_case(property, kNames[k])) continue;
+      std::string_view value = trimmed(declaration.substr(colon + 1));
+      const std::size_t mark = value.rfind('!');
+      const bool important = mark != std::string_view::npos &&
+                             equals_ignoring_case(trimmed(value.substr(mark + 1)), "important");
+      if (important) value = trimmed(value.substr(0, mark));
+      weigh(into[k], {value, strength + (important ? kImportant : 0), order});
+    }
+  });
+}
+
+std::string without_comments(std::string_view css) {
+  std::string result;
+  for (;;) {
+    const std::size_t start = css.find("/*");
+    result += css.substr(0, start);
+    if (start == std::string_view::npos) return result;
+    const std::size_t end = css.find("*/", start + 2);
+    if (end == std::string_view::npos) return result;
+    result += ' ';
+    css.remove_prefix(end + 2);
+  }
+}
+
+bool is_name(std::string_view text) {
+  return !text.empty() && std::none_of(text.begin(), text.end(), [](char c) {
+    return is_blank(c) || std::string_view(".#*:>+~[](){}\"'").find(c) != std::string_view::npos;
+  });
+}
+
+/// The strength of a selector that is understood, -1 for others.
+int selector_strength(std::string_view selector) {
+  if (selector == "*") return kUniversalRule;
+  const std::size_t mark = selector.find_first_of(".#");
+  if (mark == std::string_view::npos) return is_name(selector) ? kNameRule : -1;
+  const std::string_view name = selector.substr(0, mark);
+  if ((!name.empty() && !is_name(name)) || !is_name(selector.substr(mark + 1))) return -1;
+  return (selector[mark] == '#' ? kIdRule : kClassRule) + (name.empty() ? 0 : kNameRule);
+}
+
+/// The end of the block that starts at '{', behind its '}'.
+std::size_t end_of_block(std::string_view css, std::size_t start) {
+  int depth = 0;
+  for (std::size_t i = start; i < css.size(); ++i) {
+    if (css[i] == '{') ++depth;
+    if (css[i] == '}' && --depth == 0) return i + 1;
+  }
+  return css.size();
+}
+
+bool paints(std::string_view value) {
+  return !equals_ignoring_case(value, "none") && !equals_ignoring_case(value, "transparent");
+}
+
+}  // namespace
+
+StyleSheet::StyleSheet(const SvgDocument& document) {
+  for (const pugi::xml_node& style : document.style_elements()) {
+    for (const pugi::xml_node& text : style.children()) {
+      css_ += without_comments(text.value());
+      css_ += '\n';
+    }
+  }
+  read(css_);
+}
+
+void StyleSheet::read(std::string_view css) {
+  while (!(css = trimmed(css)).empty()) {
+    if (css.front() == '@') {
+      const std::size_t mark = std::min(css.find_first_of(";{"), css.size());
+      const bool block = mark < css.size() && css[mark] == '{';
+      css.remove_prefix(block ? end_of_block(css, mark) : std::min(mark + 1, css.size()));
+      continue;
+    }
+    const std::size_t open = css.find('{');
+    if (open == std::string_view::npos) return;
+    const std::size_t end = end_of_block(css, open);
+    add_rules(css.substr(0, open), css.substr(open + 1, end - open - 2));
+    css.remove_prefix(end);
+  }
+}
+
+void StyleSheet::add_rules(std::string_view selectors, std::string_view body) {
+  ++order_;
+  for_each_part(selectors, ',', [&](std::string_view selector) {
+    const int strength = selector_strength(selector);
+    if (strength >= 0) read_declarations(body, strength, order_, rules_[std::string(selector)]);
+  });
+}
+
+void StyleSheet::apply(const std::string& key, Declarations& into) const {
+  const auto found = rules_.find(key);
+  if (found == rules_.end()) return;
+  for (std::size_t k = 0; k < kSvgProperties; ++k) {
+    if (found->second[k]) weigh(into[k], *found->second[k]);
+  }
+}
+
+Declarations StyleSheet::cascade(const pugi::xml_node& node, std::string_view name) const {
+  Declarations result;
+  for (std::size_t k = 0; k < kSvgProperties; ++k) {
+    if (const pugi::xml_attribute attribute = node.attribute(kNames[k].data())) {
+      weigh(result[k], {trimmed(attribute.value()), kAttribute, 0});
+    }
+  }
+  if (!rules_.empty()) {
+    const std::string element(name);
+    apply("*", result);
+    apply(element, result);
+    for_each_part(node.attribute("class").value(), ' ', [&](std::string_view token) {
+      if (token.empty()) return;
+      apply("." + std::string(token), result);
+      apply(element + "." + std::string(token), result);
+    });
+    const std::string id = node.attribute("id").value();
+    apply("#" + id, result);
+    apply(element + "#" + id, result);
+  }
+  read_declarations(node.attribute("style").value(), kStyleAttribute, 0, result);
+  return result;
+}
+
+void SvgStyle::inherit(const Declarations& own) {
+  const auto value = [&own](SvgProperty property) -> std::optional<std::string_view> {
+    const auto& declaration = own[static_cast<std::size_t>(property)];
+    if (!declaration || equals_ignoring_case(declaration->value, "inherit")) return std::nullopt;
+    return declaration->value;
+  };
+  if (const auto paint = value(SvgProperty::fill)) fill = paints(*paint);
+  if (const auto paint = value(SvgProperty::stroke)) stroke = paints(*paint);
+  if (const auto rule = value(SvgProperty::fill_rule)) {
+    fill_rule = equals_ignoring_case(*rule, "evenodd") ? FillRule::evenodd : FillRule::nonzero;
+  }
+  if (const auto visibility = value(SvgProperty::visibility)) {
+    visible = equals_ignoring_case(*visibility, "visible");
+  }
+}
+
+}  // namespace v0
+}  // namespace tandem

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <pugixml.hpp>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+
+#include "io/svg_document.h"
+#include "tandem/shape/shape.h"
+
+namespace tandem {
+inline namespace v0 {
+
+/// The properties that decide what is drawn, and where.
+enum class SvgProperty { fill, stroke, fill_rule, display, visibility, transform };
+inline constexpr std::size_t kSvgProperties = 6;
+
+/// A value and how strongly it is meant: the cascade keeps the strongest, and the later one of equals.
+struct Declaration {
+  std::string_view value;
+  int strength = -1;
+  unsigned order = 0;
+
+  void weigh(const Declaration& other) {
+    if (other.strength > strength || (other.strength == strength && other.order >= order)) *this = other;
+  }
+};
+
+using Declarations = std::array<std::optional<Declaration>, kSvgProperties>;
+
+/// The <style> elements of a document, as far as one can go without a CSS engine: rules whose selectors are
+/// an element name, a class or an id, or a name with one of these. Others, and whatever stands inside
+/// @-rules, do not apply.
+class StyleSheet {
+ public:
+  explicit StyleSheet(const SvgDocument& document);
+
+  /// What applies to an element: attributes, then rules, then its own style attribute.
+  [[nodiscard]] Declarations cascade(const pugi::xml_node& node, std::string_view name) const;
+
+ private:
+  void read(std::string_view css);
+  void add_rules(std::string_view selectors, std::string_view body);
+  void apply(const std::string& key, Declarations& into) const;
+
+  std::string css_;  ///< all style elements, without comments; the declarations point into it
+  unsigned order_ = 0;
+  std::unordered_map<std::string, Declarations> rules_;
+};
+
+/// What an element has from its ancestors and its own declarations.
+struct SvgStyle {
+  bool fill = true;     ///< painted inside
+  bool stroke = false;  ///< painted along the line
+  bool visible = true;
+  FillRule fill_rule = FillRule::nonzero;
+
+  void inherit(const Declarations& own);
+};
+
+}  // namespace v0
+}  // namespace tandem
