@@ -9,6 +9,7 @@
 
 #include "curve/bernstein.h"
 #include "curve/compose_plan.h"
+#include "curve/scale.h"
 #include "curve/spline.h"
 #include "tandem/error.h"
 
@@ -257,24 +258,6 @@ Spline compose_pieces(const Pieces& outer, const Pieces& inner, const std::vecto
   return assemble(result);
 }
 
-// Coordinates near 1 times binomial coefficients cannot overflow; only far-off ones are scaled, without
-// rounding.
-double power_of_two_scale(const Curve& curve) {
-  double largest = 0.0;
-  for (const double x : curve.control_points().data()) largest = std::max(largest, std::abs(x));
-  if (largest == 0.0 || (largest > 1e-100 && largest < 1e100)) return 1.0;
-  return std::ldexp(1.0, -std::clamp(std::ilogb(largest), -1020, 1020));
-}
-
-void scale_coordinates(Spline& spline, double factor) {
-  if (factor == 1.0) return;
-  const auto stride = static_cast<std::size_t>(spline.stride);
-  const std::size_t dim = stride - (spline.rational ? 1 : 0);
-  for (std::size_t i = 0; i < spline.size(); ++i) {
-    for (std::size_t c = 0; c < dim; ++c) spline[i][c] *= factor;
-  }
-}
-
 }  // namespace
 }  // namespace detail
 
@@ -288,7 +271,7 @@ Curve compose(const Curve& outer, const Curve& inner) {
                                       detail::kLargestProductDegree));
   }
   const bool rational = outer.is_rational() || inner.is_rational();
-  const double scale = detail::power_of_two_scale(outer);
+  const double scale = detail::power_of_two_scale({&outer, 1});
   detail::Spline whole = detail::clamped(detail::premultiplied(outer, rational));
   detail::scale_coordinates(whole, scale);
   const detail::Spline function = detail::clamped(detail::premultiplied(inner));

@@ -235,6 +235,77 @@ TEST(Edit, MovingTheSeamAroundAndBackKeepsKnots) {
   EXPECT_EQ(moved.control_points(), Points({{1, 1}, {0, 1}, {0, 0}, {1, 0}, {1, 1}}));
 }
 
+TEST(Edit, InsertedKnotsCanBeRemoved) {
+  RandomCurves random(12);
+  for (int i = 0; i < 200; ++i) {
+    const Curve curve = random.any(2);
+    const double t = random.uniform(curve.domain().lo, curve.domain().hi);
+    const int times = random.integer(1, curve.degree());
+    const Curve more = insert_knot(curve, t, times);
+    const KnotRemoval removal = remove_knot(more, t, times, 1e-9);
+    EXPECT_EQ(removal.removed, times);
+    EXPECT_EQ(removal.curve.knots(), curve.knots());
+    EXPECT_LE(largest_gap(curve, removal.curve), removal.deviation + kRounding);
+  }
+}
+
+TEST(Edit, RemovalMovesTheCurveByNoMoreThanItSays) {
+  RandomCurves random(13);
+  int removed = 0;
+  int refused = 0;
+  for (int i = 0; i < 500; ++i) {
+    const Curve curve = random.any(2);
+    const double t = curve.knots()[static_cast<std::size_t>(curve.degree()) + 1];
+    if (t >= curve.domain().hi) continue;
+    const double tolerance = random.uniform(0.0, 2.0);
+    const KnotRemoval removal = remove_knot(curve, t, 2, tolerance);
+    (removal.removed > 0 ? removed : refused) += 1;
+    EXPECT_LE(removal.deviation, tolerance);
+    EXPECT_EQ(removal.curve.size() + static_cast<std::size_t>(removal.removed), curve.size());
+    EXPECT_LE(largest_gap(curve, removal.curve), removal.deviation + kRounding);
+  }
+  EXPECT_GT(removed, 50);
+  EXPECT_GT(refused, 50);
+}
+
+TEST(Edit, RemovesOnlyInteriorKnots) {
+  const Curve curve(1, {0, 0, 1, 2, 2}, Points({{0, 0}, {1, 0}, {2, 0}}));
+  EXPECT_EQ(remove_knot(curve, 0.0, 1, 9.0).removed, 0);
+  EXPECT_EQ(remove_knot(curve, 0.5, 1, 9.0).removed, 0);
+  EXPECT_EQ(remove_knot(curve, 1.0, 5, 0.0).removed, 1);  // a straight joint
+  EXPECT_THROW((void)remove_knot(curve, 1.0, -1, 1.0), InvalidArgument);
+  EXPECT_THROW((void)remove_knot(curve, 1.0, 1, NAN), InvalidArgument);
+}
+
+TEST(Edit, DerivativeCurveIsTheDerivative) {
+  RandomCurves random(14);
+  int compared = 0;
+  for (int i = 0; i < 300; ++i) {
+    const Curve curve = random.any(2);
+    std::vector<Knot> inner = distinct_knots(curve.knots());
+    const bool breaks = std::any_of(inner.begin(), inner.end(), [&](const Knot& k) {
+      return k.multiplicity >= curve.degree() && curve.domain().lo < k.value && k.value < curve.domain().hi;
+    });
+    if (breaks) {
+      EXPECT_THROW((void)derivative_curve(curve), InvalidArgument);
+      continue;
+    }
+    ++compared;
+    const Curve derivative = derivative_curve(curve);
+    EXPECT_EQ(derivative.domain(), curve.domain());
+    EXPECT_EQ(derivative.degree(),
+              curve.is_rational() ? 2 * curve.degree() : std::max(1, curve.degree() - 1));
+    for (const double t : probes(curve)) {
+      const Points d = curve.derivatives(t, 2);
+      const double slack = 1e-12 * (derivative.extent() + testing::norm(d[2]) + testing::norm(d[1]));
+      const Point found = derivative.evaluate(t);
+      EXPECT_NEAR(found[0], d[1][0], slack);
+      EXPECT_NEAR(found[1], d[1][1], slack);
+    }
+  }
+  EXPECT_GT(compared, 50);
+}
+
 TEST(Edit, RefusesWhatCannotBe) {
   const Curve curve = Curve::bezier(Points({{0, 0}, {1, 2}, {3, 0}}));
   EXPECT_THROW((void)insert_knot(curve, 2.0), InvalidArgument);

@@ -103,15 +103,15 @@ inline std::vector<double> probes(const Curve& curve, int count = 37) {
 }
 
 inline double norm(std::span<const double> v) {
-  double sum = 0.0;
-  for (const double x : v) sum += x * x;
-  return std::sqrt(sum);
+  double length = 0.0;
+  for (const double x : v) length = std::hypot(length, x);
+  return length;
 }
 
 inline double distance(const Point& a, const Point& b) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += (a[i] - b[i]) * (a[i] - b[i]);
-  return std::sqrt(sum);
+  double length = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) length = std::hypot(length, a[i] - b[i]);
+  return length;
 }
 
 /// Largest distance of a(t) and b(t) over the probes of a.
