@@ -47,7 +47,8 @@ struct FeatureOptions {
 };
 
 /// Costs 1 - <T1,T2> (or the norm's) of all pairs of nodes, for the paper's programme: nodes(a) x nodes(b).
-/// Invalid: the norm's value is < 0. A node of zero speed carries no tangent cost (spec C18).
+/// Invalid: the norm's value is < 0; such a node costs nothing beside its invalidity ([C] charges a flat 2m for it).
+/// A node of zero speed carries no tangent cost (spec C18).
 /// `sign` is used by NormKind::ruled in the plane.
 /// @throws InvalidArgument the dimensions differ, or a user norm's cost is negative or not finite
 [[nodiscard]] TANDEM_EXPORT NodeTable node_costs(const Samples& a, const Samples& b, const Norm& norm,

@@ -10,7 +10,9 @@
 
 /// The dynamic programmes. They see cost tables, never curves or norms (docs/architecture.md, decision 5).
 ///
-/// All orders are lexicographic: first the least invalidity, then the least cost (spec C5).
+/// All orders are lexicographic: first the least invalidity, then the least cost (spec C5). Costs are >= 0; an
+/// infinite one bars the node or edge. A path without nodes means: there is none.
+/// @throws InvalidArgument (all of them) a table whose sizes disagree, or a cost that is negative or not a number
 namespace tandem {
 inline namespace v0 {
 
@@ -28,18 +30,10 @@ struct Path {
   bool cancelled = false;    ///< the progress callback said stop; the rest is meaningless
 };
 
-/// Which nodes a restricted programme may visit: row i may use columns lo[i] .. hi[i]. Empty: all of them.
-/// For closed programmes rows and columns are those of the unrolled table (2 * rows rows).
-struct Band {
-  std::vector<int> lo;
-  std::vector<int> hi;
-};
-
 // --- three steps: (1,1), (0,1), (1,0), costs at nodes; [C] eq. (7) ---
 
 /// Optimal path (0,0) -> (rows-1, cols-1). Ties: diagonal first, then (i, j-1), then (i-1, j).
-[[nodiscard]] TANDEM_EXPORT Path open_path(const NodeTable& table, Aggregate aggregate = Aggregate::sum,
-                                           const Band& band = {});
+[[nodiscard]] TANDEM_EXPORT Path open_path(const NodeTable& table, Aggregate aggregate = Aggregate::sum);
 
 /// The table Cost(i,j) of [C] eq. (7), rows * cols, with `penalty` for an invalid node in place of its cost
 /// ([C]: 2m, here rows + cols): for figures and comparison.
@@ -65,7 +59,7 @@ inline constexpr double kInvalidQuantum = 1.0 / 4294967296.0;
 /// The steps (a,b) with 1 <= a,b <= longest and gcd(a,b) = 1, by a, then b.
 [[nodiscard]] TANDEM_EXPORT std::vector<Step> coprime_steps(int longest = 6);
 
-/// Costs of all edges (i-a, j-b) -> (i,j), by end node, then by step.
+/// Costs of all edges (i-a, j-b) -> (i,j), by row of the end node, then by step, then by column.
 ///
 /// Open: nodes are 0..rows-1 x 0..cols-1, and edges that would start outside hold infinity. Closed: indices are
 /// taken modulo rows and cols.
@@ -74,23 +68,22 @@ struct EdgeTable {
   std::size_t cols = 0;
   bool closed = false;
   std::vector<Step> steps;
-  std::vector<double> cost;           ///< rows * cols * steps
-  std::vector<std::int64_t> invalid;  ///< in units of kInvalidQuantum
+  std::vector<double> cost;     ///< rows * steps * cols
+  std::vector<double> invalid;  ///< whole multiples of kInvalidQuantum, counted in it (exact in a double)
 
-  [[nodiscard]] std::size_t index(std::size_t i, std::size_t j) const noexcept {
-    return (i * cols + j) * steps.size();
+  [[nodiscard]] std::size_t index(std::size_t i, std::size_t step, std::size_t j) const noexcept {
+    return (i * steps.size() + step) * cols + j;
   }
 };
 
-/// Optimal path (0,0) -> (rows-1, cols-1); empty when the steps cannot reach the end.
+/// Optimal path (0,0) -> (rows-1, cols-1).
 /// Ties: the step nearest the diagonal first, then the smaller a.
-[[nodiscard]] TANDEM_EXPORT Path open_path(const EdgeTable& table, Aggregate aggregate = Aggregate::sum,
-                                           const Band& band = {});
+[[nodiscard]] TANDEM_EXPORT Path open_path(const EdgeTable& table, Aggregate aggregate = Aggregate::sum);
 
 /// Optimal closed path over all starts (k,l), 0 <= k < rows, 0 <= l < longest step (a path may jump over column
 /// 0; spec C10). Exact: branch and bound over the starts, with a bound from the programme that has many of them.
 [[nodiscard]] TANDEM_EXPORT Path closed_path(const EdgeTable& table, Aggregate aggregate = Aggregate::sum,
-                                             const Band& band = {}, const Progress& progress = {});
+                                             const Progress& progress = {});
 
 }  // namespace v0
 }  // namespace tandem
