@@ -74,6 +74,11 @@ void cut_cells(std::span<const double> first, std::span<const double> second, st
   }
 }
 
+/// No step may go round a loop more than once.
+int longest_step(const Samples& a, const Samples& b, const ElasticOptions& options) {
+  return std::min(options.longest_step, static_cast<int>(std::min(a.chords(), b.chords())));
+}
+
 /// Shares of n equal chords.
 std::vector<double> equal_shares(int n) { return std::vector<double>(static_cast<std::size_t>(n), 1.0 / n); }
 
@@ -85,12 +90,13 @@ class EdgeCosts {
         options_(options),
         aggregate_(aggregate),
         mask_(mask),
-        runs_a_(a, options.longest_step),
-        runs_b_(b, options.longest_step) {
+        runs_a_(a, longest_step(a, b, options)),
+        runs_b_(b, longest_step(a, b, options)) {
     table_.rows = a.size();
     table_.cols = b.size();
-    table_.closed = a.cyclic;
-    table_.steps = coprime_steps(options.longest_step);
+    table_.rows_cyclic = a.cyclic;
+    table_.cols_cyclic = b.cyclic;
+    table_.steps = coprime_steps(longest_step(a, b, options));
     table_.cost.assign(table_.rows * table_.cols * table_.steps.size(), kInfinity);
     table_.invalid.assign(table_.cost.size(), 0.0);
     for (const Step& s : table_.steps) {
@@ -120,10 +126,10 @@ class EdgeCosts {
   /// pattern of cells.
   void fill_row(int i, std::size_t s) {
     const Step step = table_.steps[s];
-    if (!table_.closed && i < step.a) return;
+    if (!table_.rows_cyclic && i < step.a) return;
     const int cols = static_cast<int>(table_.cols);
     const bool uniform_a = runs_a_.uniform(i, step.a);
-    for (int j = table_.closed ? 0 : step.b; j < cols; ++j) {
+    for (int j = table_.cols_cyclic ? 0 : step.b; j < cols; ++j) {
       if (!allowed(i, j) || !allowed(i - step.a, j - step.b)) continue;
       if (uniform_a && runs_b_.uniform(j, step.b)) {
         fill(i, j, s, patterns_[s]);
@@ -194,7 +200,6 @@ class EdgeCosts {
 
 EdgeTable edge_costs(const Samples& a, const Samples& b, const NodeTable& chord_costs, const ElasticOptions& options,
                      Aggregate aggregate, const NodeMask& mask) {
-  if (a.cyclic != b.cyclic) throw InvalidArgument("a loop is matched with a loop, an open curve with an open one");
   if (chord_costs.rows != a.chords() || chord_costs.cols != b.chords()) {
     throw InvalidArgument("the chord costs do not belong to these samples");
   }

@@ -90,7 +90,7 @@ class Programme {
   }
 
   /// Starts of a closed path are numbered k * starts_per_row() + l for the node (k,l).
-  [[nodiscard]] int starts_per_row() const { return std::min(longest_, cols_); }
+  [[nodiscard]] int starts_per_row() const { return table_.cols_cyclic ? std::min(longest_, cols_) : 1; }
   [[nodiscard]] int start_count() const { return rows_ * starts_per_row(); }
 
   template <class Join>
@@ -98,7 +98,7 @@ class Programme {
     const int per_row = starts_per_row();
     const int first_row = first / per_row;
     const int last_row = (last - 1) / per_row;
-    Cells cells(last_row - first_row + rows_ + 1, cols_ + per_row);
+    Cells cells(last_row - first_row + rows_ + 1, advance() + per_row);
     for (int i = 0; i <= last_row - first_row + rows_; ++i) {
       for (int l = 0; l < per_row; ++l) {
         const int start = (first_row + i) * per_row + l;
@@ -112,7 +112,7 @@ class Programme {
     bounds.reserve(static_cast<std::size_t>(last - first));
     for (int start = first; start < last; ++start) {
       const int i = start / per_row - first_row + rows_;
-      const int j = start % per_row + cols_;
+      const int j = start % per_row + advance();
       bounds.push_back({cells.at(i, j), static_cast<int>(cells.tag[cells.index(i, j)])});
     }
     return bounds;
@@ -145,6 +145,8 @@ class Programme {
 
   [[nodiscard]] int rows() const { return rows_; }
   [[nodiscard]] int cols() const { return cols_; }
+  /// Columns from the start of a whole path to its end.
+  [[nodiscard]] int advance() const { return table_.cols_cyclic ? cols_ : cols_ - 1; }
 
  private:
   /// Relaxes the cells of row i, from column first_col on, over all steps; cell rows count from table row first_row.
@@ -182,7 +184,7 @@ Path best_open(const EdgeTable& table) {
 }
 
 template <class Join>
-Path best_closed(const EdgeTable& table, const Progress& progress) {
+Path best_start(const EdgeTable& table, const Progress& progress) {
   const Programme programme(table);
   const StartChoice choice = search_starts(
       programme.start_count(), [&](int first, int last) { return programme.bound_starts<Join>(first, last); },
@@ -194,16 +196,16 @@ Path best_closed(const EdgeTable& table, const Progress& progress) {
   }
   const int per_row = programme.starts_per_row();
   return programme.trace<Join>(choice.start / per_row, choice.start % per_row, programme.rows() + 1,
-                               programme.cols() + 1);
+                               programme.advance() + 1);
 }
 
-void check_table(const EdgeTable& table, bool closed) {
+void check_table(const EdgeTable& table, bool rows_cyclic, bool cols_cyclic) {
   const std::size_t size = table.rows * table.cols * table.steps.size();
   if (size == 0 || table.cost.size() != size || table.invalid.size() != size) {
     throw InvalidArgument("an edge table needs rows * cols * steps > 0 costs and as many invalid lengths");
   }
-  if (table.closed != closed) {
-    throw InvalidArgument(closed ? "a closed path needs a closed edge table" : "an open path needs an open edge table");
+  if (table.rows_cyclic != rows_cyclic || table.cols_cyclic != cols_cyclic) {
+    throw InvalidArgument("the edge table is cyclic where the programme wants it open, or the other way round");
   }
   for (double c : table.cost) {
     if (!(c >= 0.0)) throw InvalidArgument("an edge cost is negative or not a number");
@@ -247,15 +249,22 @@ std::vector<Step> coprime_steps(int longest) {
 }
 
 Path open_path(const EdgeTable& table, Aggregate aggregate) {
-  check_table(table, false);
+  check_table(table, false, false);
   return aggregate_path(table, aggregate,
                         [](const EdgeTable& t, auto join) { return best_open<decltype(join)>(t); });
 }
 
 Path closed_path(const EdgeTable& table, Aggregate aggregate, const Progress& progress) {
-  check_table(table, true);
+  check_table(table, true, true);
   return aggregate_path(table, aggregate, [&](const EdgeTable& t, auto join) {
-    return best_closed<decltype(join)>(t, progress);
+    return best_start<decltype(join)>(t, progress);
+  });
+}
+
+Path cut_path(const EdgeTable& table, Aggregate aggregate, const Progress& progress) {
+  check_table(table, true, false);
+  return aggregate_path(table, aggregate, [&](const EdgeTable& t, auto join) {
+    return best_start<decltype(join)>(t, progress);
   });
 }
 

@@ -177,15 +177,16 @@ TracedPath best_closed(const Nodes& nodes, const Progress& progress) {
   return trace_window<Join>(nodes, {choice.start, 0, nodes.rows() + 1, nodes.cols() + 1}, false);
 }
 
-template <class Join>
-TracedPath best_pinned(const Nodes& nodes, const Progress& progress) {
+/// The best of `count` windows, each with a programme of its own; the first one on a tie.
+template <class Join, class WindowAt>
+TracedPath best_window(const Nodes& nodes, int count, const WindowAt& window_at, const Progress& progress) {
   TracedPath best;
-  for (int k = 0; k < nodes.cols(); ++k) {
-    if (progress && !progress(static_cast<double>(k) / nodes.cols())) {
+  for (int k = 0; k < count; ++k) {
+    if (progress && !progress(static_cast<double>(k) / count)) {
       best.path.cancelled = true;
       return best;
     }
-    TracedPath traced = trace_window<Join>(nodes, {0, k, nodes.rows(), nodes.cols()}, true);
+    TracedPath traced = trace_window<Join>(nodes, window_at(k), true);
     if (traced.cost < best.cost) best = std::move(traced);
   }
   return best;
@@ -246,7 +247,15 @@ Path closed_path(const NodeTable& table, Aggregate aggregate, const Progress& pr
 
 Path pinned_path(const NodeTable& table, Aggregate aggregate, const Progress& progress) {
   return aggregate_path(table, aggregate, [&](const Nodes& nodes, auto join) {
-    return best_pinned<decltype(join)>(nodes, progress);
+    return best_window<decltype(join)>(
+        nodes, nodes.cols(), [&](int k) { return Window{0, k, nodes.rows(), nodes.cols()}; }, progress);
+  });
+}
+
+Path cut_path(const NodeTable& table, Aggregate aggregate, const Progress& progress) {
+  return aggregate_path(table, aggregate, [&](const Nodes& nodes, auto join) {
+    return best_window<decltype(join)>(
+        nodes, nodes.rows(), [&](int k) { return Window{k, 0, nodes.rows() + 1, nodes.cols()}; }, progress);
   });
 }
 

@@ -160,6 +160,24 @@ TEST(ThreeSteps, PinnedEqualsBruteForce) {
   }
 }
 
+TEST(ThreeSteps, CutEqualsBruteForce) {
+  std::mt19937 random(8);
+  for (int n = 0; n < 1000; ++n) {
+    const NodeTable t = random_table(random, 5);
+    const int m1 = static_cast<int>(t.rows);
+    Found best;
+    for (int k = 0; k < m1; ++k) {
+      const std::size_t start = t.index(static_cast<std::size_t>(k), 0);
+      all_paths(t, Aggregate::sum, {k, 0}, {k + m1, static_cast<int>(t.cols) - 1}, t.invalid[start], t.cost[start],
+                best);
+    }
+    const Path path = cut_path(t);
+    ASSERT_EQ(path.cost, best.cost);
+    ASSERT_EQ(path.invalid, best.invalid);
+    check_path(t, path, Aggregate::sum, true);
+  }
+}
+
 TEST(ThreeSteps, PaperPenaltySaysTheSameAsTheLexicographicOrder) {
   std::mt19937 random(4);
   for (int n = 0; n < 1000; ++n) {
@@ -217,11 +235,12 @@ void all_paths(const EdgeTable& t, Aggregate aggregate, Node at, Node end, std::
   }
 }
 
-EdgeTable random_edges(std::mt19937& random, bool closed, int most) {
+EdgeTable random_edges(std::mt19937& random, bool rows_cyclic, bool cols_cyclic, int most) {
   EdgeTable t;
   t.rows = 2 + random() % static_cast<unsigned>(most - 1);
   t.cols = 2 + random() % static_cast<unsigned>(most - 1);
-  t.closed = closed;
+  t.rows_cyclic = rows_cyclic;
+  t.cols_cyclic = cols_cyclic;
   t.steps = coprime_steps(1 + static_cast<int>(random() % 6));
   const unsigned levels = 1 + random() % 12;
   const unsigned invalid_odds = random() % 4;
@@ -241,7 +260,7 @@ TEST(ElasticProgramme, StepsAreCoprime) {
 TEST(ElasticProgramme, OpenEqualsBruteForce) {
   std::mt19937 random(6);
   for (int n = 0; n < 1000; ++n) {
-    const EdgeTable t = random_edges(random, false, 8);
+    const EdgeTable t = random_edges(random, false, false, 8);
     for (const Aggregate aggregate : {Aggregate::sum, Aggregate::maximum}) {
       Found best;
       all_paths(t, aggregate, {0, 0}, {static_cast<int>(t.rows) - 1, static_cast<int>(t.cols) - 1}, 0, 0.0, best);
@@ -258,7 +277,7 @@ TEST(ElasticProgramme, OpenEqualsBruteForce) {
 TEST(ElasticProgramme, ClosedEqualsBruteForce) {
   std::mt19937 random(7);
   for (int n = 0; n < 1000; ++n) {
-    const EdgeTable t = random_edges(random, true, 6);
+    const EdgeTable t = random_edges(random, true, true, 6);
     const int m1 = static_cast<int>(t.rows);
     const int m2 = static_cast<int>(t.cols);
     for (const Aggregate aggregate : {Aggregate::sum, Aggregate::maximum}) {
@@ -273,6 +292,25 @@ TEST(ElasticProgramme, ClosedEqualsBruteForce) {
       ASSERT_EQ(path.invalid, best.invalid);
       EXPECT_EQ(path.nodes.back().i, path.nodes.front().i + m1);
       EXPECT_EQ(path.nodes.back().j, path.nodes.front().j + m2);
+    }
+  }
+}
+
+TEST(ElasticProgramme, CutEqualsBruteForce) {
+  std::mt19937 random(9);
+  for (int n = 0; n < 1000; ++n) {
+    const EdgeTable t = random_edges(random, true, false, 6);
+    const int m1 = static_cast<int>(t.rows);
+    for (const Aggregate aggregate : {Aggregate::sum, Aggregate::maximum}) {
+      Found best;
+      for (int k = 0; k < m1; ++k) {
+        all_paths(t, aggregate, {k, 0}, {k + m1, static_cast<int>(t.cols) - 1}, 0, 0.0, best);
+      }
+      const Path path = cut_path(t, aggregate);
+      ASSERT_EQ(path.nodes.empty(), best.cost == kInfinity);
+      if (path.nodes.empty()) continue;
+      ASSERT_EQ(path.cost, best.cost);
+      ASSERT_EQ(path.invalid, best.invalid);
     }
   }
 }

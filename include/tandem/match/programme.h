@@ -50,6 +50,11 @@ struct Path {
 [[nodiscard]] TANDEM_EXPORT Path pinned_path(const NodeTable& table, Aggregate aggregate = Aggregate::sum,
                                              const Progress& progress = {});
 
+/// The rows' loop cut where it fits the open columns best: the optimal path (k,0) -> (k + rows, cols-1) over all k,
+/// both ends counted.
+[[nodiscard]] TANDEM_EXPORT Path cut_path(const NodeTable& table, Aggregate aggregate = Aggregate::sum,
+                                          const Progress& progress = {});
+
 // --- elastic: steps (a,b), costs at edges ---
 
 /// Unit in which the elastic programme counts invalid length, as a share of the (normalised) length. Whole units
@@ -61,12 +66,12 @@ inline constexpr double kInvalidQuantum = 1.0 / 4294967296.0;
 
 /// Costs of all edges (i-a, j-b) -> (i,j), by row of the end node, then by step, then by column.
 ///
-/// Open: nodes are 0..rows-1 x 0..cols-1, and edges that would start outside hold infinity. Closed: indices are
-/// taken modulo rows and cols.
+/// A cyclic direction takes indices modulo its size; in the others edges that would start outside are barred.
 struct EdgeTable {
   std::size_t rows = 0;
   std::size_t cols = 0;
-  bool closed = false;
+  bool rows_cyclic = false;
+  bool cols_cyclic = false;
   std::vector<Step> steps;
   std::vector<double> cost;     ///< rows * steps * cols
   std::vector<double> invalid;  ///< whole multiples of kInvalidQuantum, counted in it (exact in a double)
@@ -76,14 +81,19 @@ struct EdgeTable {
   }
 };
 
-/// Optimal path (0,0) -> (rows-1, cols-1).
+/// Optimal path (0,0) -> (rows-1, cols-1) of a table that is cyclic in no direction.
 /// Ties: the step nearest the diagonal first, then the smaller a.
 [[nodiscard]] TANDEM_EXPORT Path open_path(const EdgeTable& table, Aggregate aggregate = Aggregate::sum);
 
-/// Optimal closed path over all starts (k,l), 0 <= k < rows, 0 <= l < longest step (a path may jump over column
-/// 0; spec C10). Exact: branch and bound over the starts, with a bound from the programme that has many of them.
+/// Optimal closed path of a table that is cyclic in both directions, over all starts (k,l), 0 <= k < rows,
+/// 0 <= l < longest step (a path may jump over column 0; spec C10). Exact: branch and bound over the starts.
 [[nodiscard]] TANDEM_EXPORT Path closed_path(const EdgeTable& table, Aggregate aggregate = Aggregate::sum,
                                              const Progress& progress = {});
+
+/// The rows' loop cut where it fits the open columns best: the optimal path (k,0) -> (k + rows, cols-1) over all k,
+/// of a table that is cyclic in its rows only. Exact, likewise.
+[[nodiscard]] TANDEM_EXPORT Path cut_path(const EdgeTable& table, Aggregate aggregate = Aggregate::sum,
+                                          const Progress& progress = {});
 
 }  // namespace v0
 }  // namespace tandem

@@ -1,0 +1,203 @@
+#include "tandem/match/norm.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "match/vector.h"
+#include "tandem/error.h"
+
+namespace tandem {
+inline namespace v0 {
+
+namespace {
+
+using detail::cross;
+using detail::dot;
+
+/// A pair is invalid for the elastic programme below this value: a little slack, so that tangents which are merely
+/// perpendicular (a corner of 90 degrees, sampled) do not bar a match (spec C5).
+constexpr double kElasticInvalid = -0.05;
+
+/// The nodes or chords of one curve, as the norms see them.
+struct Sites {
+  const Points* tangents = nullptr;
+  Points points;
+  std::vector<bool> still;  ///< carries no tangent cost
+  std::vector<double> curvatures;
+
+  [[nodiscard]] std::size_t size() const { return tangents->size(); }
+};
+
+Sites node_sites(const Samples& s) {
+  Sites sites{&s.tangents_out, s.positions, std::vector<bool>(s.size()), {}};
+  for (std::size_t i = 0; i < s.size(); ++i) {
+    // Spec C18. The tolerance is rounding of a speed that is meant to be 0, relative to size / domain.
+    sites.still[i] = s.speeds[i] <= 1e-12 || detail::largest(s.tangents_out[i]) == 0.0;
+    sites.curvatures.push_back(s.curvatures[std::min(i, s.chords() - 1)]);
+  }
+  return sites;
+}
+
+Sites chord_sites(const Samples& s) {
+  Sites sites{&s.chord_tangents, Points(s.dim(), s.chords()), std::vector<bool>(s.chords()), s.curvatures};
+  for (std::size_t k = 0; k < s.chords(); ++k) {
+    const auto from = s.positions[k];
+    const auto to = s.positions[(k + 1) % s.size()];
+    for (std::size_t c = 0; c < from.size(); ++c) sites.points[k][c] = 0.5 * from[c] + 0.5 * to[c];
+    sites.still[k] = detail::largest(s.chord_tangents[k]) == 0.0;
+  }
+  return sites;
+}
+
+/// Unit vector from one point to another; zero where they coincide.
+void direction(std::span<const double> from, std::span<const double> to, std::span<double> d) {
+  for (std::size_t c = 0; c < d.size(); ++c) d[c] = to[c] - from[c];
+  detail::normalize(d);
+}
+
+/// [C] eqs. (4), (6) in any dimension: <T1,T2> - <T1,d><T2,d> with unit d; d = 0: <T1,T2> (spec C13).
+double ruled_product(std::span<const double> t1, std::span<const double> t2, std::span<const double> d) {
+  return dot(t1, t2) - dot(t1, d) * dot(t2, d);
+}
+
+/// The signed test: the product where both sides agree with the sign, else the worse of the two (spec C13).
+double ruled_signed(std::span<const double> t1, std::span<const double> t2, std::span<const double> d, double sign) {
+  if (detail::largest(d) == 0.0) return dot(t1, t2);
+  const double first = sign * cross(d, t1);
+  const double second = sign * cross(d, t2);
+  const double worse = std::min(first, second);
+  return worse >= 0.0 ? first * second : worse;
+}
+
+/// Difference of two curvatures in [0,1]: relative to both, and to the curvature of a circle, so that small ones
+/// do not count as features.
+double curvature_difference(double x, double y) {
+  return std::fabs(x - y) / (std::fabs(x) + std::fabs(y) + 2.0 * std::numbers::pi);
+}
+
+struct TableOptions {
+  double invalid_below = 0.0;
+  double distance_unit = 1.0;
+  RuledSign sign = RuledSign::product;
+  FeatureOptions features;
+};
+
+NodeTable empty_table(const Sites& a, const Sites& b) {
+  NodeTable table;
+  table.rows = a.size();
+  table.cols = b.size();
+  table.cost.resize(table.rows * table.cols);
+  table.invalid.resize(table.rows * table.cols);
+  return table;
+}
+
+/// Fills a table from value(i, j), which returns a NormValue.
+template <class Value>
+NodeTable fill_table(const Sites& a, const Sites& b, const FeatureOptions& features, const Value& value) {
+  NodeTable table = empty_table(a, b);
+  std::size_t k = 0;
+  for (std::size_t i = 0; i < table.rows; ++i) {
+    for (std::size_t j = 0; j < table.cols; ++j, ++k) {
+      const NormValue v = value(i, j);
+      table.cost[k] = v.cost;
+      table.invalid[k] = v.invalid ? 1 : 0;
+      if (features.curvature) {
+        table.cost[k] += features.curvature_weight * curvature_difference(a.curvatures[i], b.curvatures[j]);
+      }
+    }
+  }
+  return table;
+}
+
+/// A cost and its validity from a value whose best is 1.
+NormValue from_value(double value, double invalid_below) {
+  // Rounding may lift a product of unit vectors above 1.
+  return {std::max(0.0, 1.0 - value), value < invalid_below};
+}
+
+NodeTable tangent_table(const Sites& a, const Sites& b, const TableOptions& options) {
+  if (a.tangents->dim() != 2) {
+    return fill_table(a, b, options.features, [&](std::size_t i, std::size_t j) {
+      if (a.still[i] || b.still[j]) return NormValue{};
+      return from_value(dot((*a.tangents)[i], (*b.tangents)[j]), options.invalid_below);
+    });
+  }
+  // The plane is the case that has to be fast.
+  const double* t1 = a.tangents->data().data();
+  const double* t2 = b.tangents->data().data();
+  return fill_table(a, b, options.features, [&](std::size_t i, std::size_t j) {
+    if (a.still[i] || b.still[j]) return NormValue{};
+    return from_value(t1[2 * i] * t2[2 * j] + t1[2 * i + 1] * t2[2 * j + 1], options.invalid_below);
+  });
+}
+
+NodeTable ruled_table(const Sites& a, const Sites& b, const TableOptions& options) {
+  std::vector<double> d(static_cast<std::size_t>(a.tangents->dim()));
+  const bool by_sign = options.sign != RuledSign::product && a.tangents->dim() == 2;
+  const double sign = options.sign == RuledSign::negative ? -1.0 : 1.0;
+  return fill_table(a, b, options.features, [&](std::size_t i, std::size_t j) {
+    if (a.still[i] || b.still[j]) return NormValue{};
+    direction(a.points[i], b.points[j], d);
+    const auto t1 = (*a.tangents)[i];
+    const auto t2 = (*b.tangents)[j];
+    const double value = by_sign ? ruled_signed(t1, t2, d, sign) : ruled_product(t1, t2, d);
+    return from_value(value, options.invalid_below);
+  });
+}
+
+NodeTable distance_table(const Sites& a, const Sites& b, const TableOptions& options) {
+  return fill_table(a, b, options.features, [&](std::size_t i, std::size_t j) {
+    return NormValue{detail::distance(a.points[i], b.points[j]) / options.distance_unit, false};
+  });
+}
+
+NodeTable user_table(const Sites& a, const Sites& b, const UserNorm& norm, const TableOptions& options) {
+  return fill_table(a, b, options.features, [&](std::size_t i, std::size_t j) {
+    const NormValue v = norm({(*a.tangents)[i], (*b.tangents)[j], a.points[i], b.points[j]});
+    if (!(v.cost >= 0.0) || !std::isfinite(v.cost)) {
+      throw InvalidArgument("the user's norm returned " + std::to_string(v.cost) + " for samples " +
+                            std::to_string(i) + " and " + std::to_string(j) + "; expected a finite cost >= 0");
+    }
+    return v;
+  });
+}
+
+NodeTable make_table(const Sites& a, const Sites& b, const Norm& norm, const TableOptions& options) {
+  if (a.tangents->dim() != b.tangents->dim()) {
+    throw InvalidArgument("the curves have different dimensions: " + std::to_string(a.tangents->dim()) + " and " +
+                          std::to_string(b.tangents->dim()));
+  }
+  if (const auto* user = std::get_if<UserNorm>(&norm)) return user_table(a, b, *user, options);
+  switch (std::get<NormKind>(norm)) {
+    case NormKind::ruled:
+      return ruled_table(a, b, options);
+    case NormKind::distance:
+    case NormKind::bottleneck:
+      return distance_table(a, b, options);
+    case NormKind::tangent:
+      break;
+  }
+  return tangent_table(a, b, options);
+}
+
+}  // namespace
+
+NodeTable node_costs(const Samples& a, const Samples& b, const Norm& norm, const FeatureOptions& features,
+                     RuledSign sign) {
+  NodeTable table = make_table(node_sites(a), node_sites(b), norm, {0.0, 1.0, sign, features});
+  for (std::size_t k = 0; k < table.cost.size(); ++k) {
+    if (table.invalid[k] != 0) table.cost[k] = 0.0;
+  }
+  return table;
+}
+
+NodeTable chord_costs(const Samples& a, const Samples& b, const Norm& norm, const FeatureOptions& features,
+                      RuledSign sign) {
+  const double unit = 0.5 * a.length + 0.5 * b.length;
+  return make_table(chord_sites(a), chord_sites(b), norm, {kElasticInvalid, unit, sign, features});
+}
+
+}  // namespace v0
+}  // namespace tandem
