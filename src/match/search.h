@@ -1,0 +1,36 @@
+#pragma once
+
+#include "tandem/match/cost_table.h"
+#include "tandem/match/match.h"
+#include "tandem/match/programme.h"
+#include "tandem/match/samples.h"
+
+namespace tandem {
+inline namespace v0 {
+namespace detail {
+
+/// How the ends of the two curves are tied together.
+enum class Layout {
+  open,      ///< start to start, end to end
+  toroidal,  ///< two loops, any start
+  pinned,    ///< two loops, the paper's form: the first keeps its start, the second is shifted
+  cut_a,     ///< the first is a loop, cut where it is best
+  cut_b,     ///< the second is a loop, cut where it is best
+};
+
+/// The better direction of two matched curves.
+struct SearchResult {
+  Path path;              ///< nodes of a and of b as matched (reversed if `reversed`); loops: i starts in [0, m1)
+  bool reversed = false;
+  Samples samples_b;      ///< as matched
+};
+
+/// Runs the programme for every direction (and sign of the ruled norm) that the options allow, and keeps the best:
+/// forward on a tie. mask: nodes of a x b in forward order that may be used (see NodeMask).
+/// @throws InvalidArgument no path exists
+[[nodiscard]] SearchResult search(const Samples& a, const Samples& b, const MatchOptions& options, Layout layout,
+                                  const NodeMask& mask = {});
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace tandem
