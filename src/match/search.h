@@ -18,6 +18,11 @@ enum class Layout {
   cut_b,     ///< the second is a loop, cut where it is best
 };
 
+/// Whether both curves are run round once, so that the correspondence goes on past the end.
+[[nodiscard]] constexpr bool is_closed_layout(Layout layout) {
+  return layout == Layout::toroidal || layout == Layout::pinned;
+}
+
 /// The better direction of two matched curves.
 struct SearchResult {
   Path path;              ///< nodes of a and of b as matched (reversed if `reversed`); loops: i starts in [0, m1)

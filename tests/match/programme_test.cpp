@@ -2,63 +2,19 @@
 
 #include <gtest/gtest.h>
 
-#include <functional>
+#include <cmath>
 #include <limits>
 #include <random>
 
+#include "match/brute_force.h"
 #include "tandem/error.h"
 
 namespace tandem {
 namespace {
 
+using brute::Found;
+
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-struct Found {
-  std::int64_t invalid = std::numeric_limits<std::int64_t>::max();
-  double cost = kInfinity;
-  void offer(std::int64_t other_invalid, double other_cost) {
-    if (other_invalid < invalid || (other_invalid == invalid && other_cost < cost)) {
-      invalid = other_invalid;
-      cost = other_cost;
-    }
-  }
-};
-
-double join(Aggregate aggregate, double path, double next) {
-  return aggregate == Aggregate::sum ? path + next : std::max(path, next);
-}
-
-/// Every path of three steps between two nodes of the unrolled table, by recursion.
-void all_paths(const NodeTable& t, Aggregate aggregate, Node at, Node end, std::int64_t invalid, double cost,
-               Found& found) {
-  if (at == end) {
-    found.offer(invalid, cost);
-    return;
-  }
-  for (const Node step : {Node{1, 1}, Node{0, 1}, Node{1, 0}}) {
-    const Node next{at.i + step.i, at.j + step.j};
-    if (next.i > end.i || next.j > end.j) continue;
-    const std::size_t k =
-        t.index(static_cast<std::size_t>(next.i) % t.rows, static_cast<std::size_t>(next.j) % t.cols);
-    all_paths(t, aggregate, next, end, invalid + t.invalid[k], join(aggregate, cost, t.cost[k]), found);
-  }
-}
-
-Found brute_open(const NodeTable& t, Aggregate aggregate, int shift = 0) {
-  Found found;
-  const std::size_t k = t.index(0, static_cast<std::size_t>(shift));
-  all_paths(t, aggregate, {0, shift}, {static_cast<int>(t.rows) - 1, shift + static_cast<int>(t.cols) - 1},
-            t.invalid[k], t.cost[k], found);
-  return found;
-}
-
-Found brute_closed(const NodeTable& t, Aggregate aggregate) {
-  Found found;
-  for (int k = 0; k < static_cast<int>(t.rows); ++k) {
-    all_paths(t, aggregate, {k, 0}, {k + static_cast<int>(t.rows), static_cast<int>(t.cols)}, 0, 0.0, found);
-  }
-  return found;
-}
 
 /// Costs in eighths: sums are exact, and ties and plateaus abound.
 NodeTable random_table(std::mt19937& random, int most) {
@@ -88,7 +44,7 @@ void check_path(const NodeTable& t, const Path& path, Aggregate aggregate, bool 
     if (n == 0 && !count_start) continue;
     const std::size_t k = t.index(static_cast<std::size_t>(path.nodes[n].i) % t.rows,
                                   static_cast<std::size_t>(path.nodes[n].j) % t.cols);
-    cost = join(aggregate, cost, t.cost[k]);
+    cost = brute::join(aggregate, cost, t.cost[k]);
     invalid += t.invalid[k];
   }
   EXPECT_EQ(cost, path.cost);
@@ -119,7 +75,7 @@ TEST(ThreeSteps, OpenEqualsBruteForce) {
   for (int n = 0; n < 1000; ++n) {
     const NodeTable t = random_table(random, 6);
     for (const Aggregate aggregate : {Aggregate::sum, Aggregate::maximum}) {
-      const Found best = brute_open(t, aggregate);
+      const Found best = brute::open(t, aggregate);
       const Path path = open_path(t, aggregate);
       ASSERT_EQ(path.cost, best.cost);
       ASSERT_EQ(path.invalid, best.invalid);
@@ -133,7 +89,7 @@ TEST(ThreeSteps, ClosedEqualsBruteForce) {
   for (int n = 0; n < 1000; ++n) {
     const NodeTable t = random_table(random, 5);
     for (const Aggregate aggregate : {Aggregate::sum, Aggregate::maximum}) {
-      const Found best = brute_closed(t, aggregate);
+      const Found best = brute::closed(t, aggregate);
       const Path path = closed_path(t, aggregate);
       ASSERT_EQ(path.cost, best.cost);
       ASSERT_EQ(path.invalid, best.invalid);
@@ -148,11 +104,7 @@ TEST(ThreeSteps, PinnedEqualsBruteForce) {
   std::mt19937 random(3);
   for (int n = 0; n < 1000; ++n) {
     const NodeTable t = random_table(random, 5);
-    Found best;
-    for (int k = 0; k < static_cast<int>(t.cols); ++k) {
-      const Found shifted = brute_open(t, Aggregate::sum, k);
-      best.offer(shifted.invalid, shifted.cost);
-    }
+    const Found best = brute::pinned(t, Aggregate::sum);
     const Path path = pinned_path(t);
     ASSERT_EQ(path.cost, best.cost);
     ASSERT_EQ(path.invalid, best.invalid);
@@ -164,13 +116,7 @@ TEST(ThreeSteps, CutEqualsBruteForce) {
   std::mt19937 random(8);
   for (int n = 0; n < 1000; ++n) {
     const NodeTable t = random_table(random, 5);
-    const int m1 = static_cast<int>(t.rows);
-    Found best;
-    for (int k = 0; k < m1; ++k) {
-      const std::size_t start = t.index(static_cast<std::size_t>(k), 0);
-      all_paths(t, Aggregate::sum, {k, 0}, {k + m1, static_cast<int>(t.cols) - 1}, t.invalid[start], t.cost[start],
-                best);
-    }
+    const Found best = brute::cut(t, Aggregate::sum);
     const Path path = cut_path(t);
     ASSERT_EQ(path.cost, best.cost);
     ASSERT_EQ(path.invalid, best.invalid);
@@ -218,23 +164,6 @@ TEST(ThreeSteps, CancelWhenAsked) {
 
 // --- elastic ---
 
-void all_paths(const EdgeTable& t, Aggregate aggregate, Node at, Node end, std::int64_t invalid, double cost,
-               Found& found) {
-  if (at == end) {
-    found.offer(invalid, cost);
-    return;
-  }
-  for (std::size_t s = 0; s < t.steps.size(); ++s) {
-    const Node next{at.i + t.steps[s].a, at.j + t.steps[s].b};
-    if (next.i > end.i || next.j > end.j) continue;
-    const std::size_t k =
-        t.index(static_cast<std::size_t>(next.i) % t.rows, s, static_cast<std::size_t>(next.j) % t.cols);
-    if (t.cost[k] == kInfinity) continue;
-    all_paths(t, aggregate, next, end, invalid + static_cast<std::int64_t>(t.invalid[k]),
-              join(aggregate, cost, t.cost[k]), found);
-  }
-}
-
 EdgeTable random_edges(std::mt19937& random, bool rows_cyclic, bool cols_cyclic, int most) {
   EdgeTable t;
   t.rows = 2 + random() % static_cast<unsigned>(most - 1);
@@ -262,8 +191,7 @@ TEST(ElasticProgramme, OpenEqualsBruteForce) {
   for (int n = 0; n < 1000; ++n) {
     const EdgeTable t = random_edges(random, false, false, 8);
     for (const Aggregate aggregate : {Aggregate::sum, Aggregate::maximum}) {
-      Found best;
-      all_paths(t, aggregate, {0, 0}, {static_cast<int>(t.rows) - 1, static_cast<int>(t.cols) - 1}, 0, 0.0, best);
+      const Found best = brute::open(t, aggregate);
       const Path path = open_path(t, aggregate);
       ASSERT_EQ(path.nodes.empty(), best.cost == kInfinity);
       if (path.nodes.empty()) continue;
@@ -273,7 +201,6 @@ TEST(ElasticProgramme, OpenEqualsBruteForce) {
   }
 }
 
-/// The starts of the brute force are all nodes, whatever the programme believes to be enough.
 TEST(ElasticProgramme, ClosedEqualsBruteForce) {
   std::mt19937 random(7);
   for (int n = 0; n < 1000; ++n) {
@@ -281,10 +208,7 @@ TEST(ElasticProgramme, ClosedEqualsBruteForce) {
     const int m1 = static_cast<int>(t.rows);
     const int m2 = static_cast<int>(t.cols);
     for (const Aggregate aggregate : {Aggregate::sum, Aggregate::maximum}) {
-      Found best;
-      for (int k = 0; k < m1; ++k) {
-        for (int l = 0; l < m2; ++l) all_paths(t, aggregate, {k, l}, {k + m1, l + m2}, 0, 0.0, best);
-      }
+      const Found best = brute::closed(t, aggregate);
       const Path path = closed_path(t, aggregate);
       ASSERT_EQ(path.nodes.empty(), best.cost == kInfinity);
       if (path.nodes.empty()) continue;
@@ -300,12 +224,8 @@ TEST(ElasticProgramme, CutEqualsBruteForce) {
   std::mt19937 random(9);
   for (int n = 0; n < 1000; ++n) {
     const EdgeTable t = random_edges(random, true, false, 6);
-    const int m1 = static_cast<int>(t.rows);
     for (const Aggregate aggregate : {Aggregate::sum, Aggregate::maximum}) {
-      Found best;
-      for (int k = 0; k < m1; ++k) {
-        all_paths(t, aggregate, {k, 0}, {k + m1, static_cast<int>(t.cols) - 1}, 0, 0.0, best);
-      }
+      const Found best = brute::cut(t, aggregate);
       const Path path = cut_path(t, aggregate);
       ASSERT_EQ(path.nodes.empty(), best.cost == kInfinity);
       if (path.nodes.empty()) continue;

@@ -1,0 +1,108 @@
+#include "match/make_report.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "tandem/match/norm.h"
+#include "tandem/match/programme.h"
+
+namespace tandem {
+inline namespace v0 {
+namespace detail {
+
+namespace {
+
+std::string name_of(const Norm& norm) {
+  const auto* kind = std::get_if<NormKind>(&norm);
+  if (kind == nullptr) return "user";
+  switch (*kind) {
+    case NormKind::ruled:
+      return "ruled";
+    case NormKind::distance:
+      return "distance";
+    case NormKind::bottleneck:
+      return "bottleneck";
+    case NormKind::tangent:
+      break;
+  }
+  return "tangent";
+}
+
+std::vector<double> identity_rotation(int dim) {
+  if (dim == 2) return {1.0, 0.0};
+  std::vector<double> matrix(static_cast<std::size_t>(dim) * static_cast<std::size_t>(dim), 0.0);
+  for (std::size_t k = 0; k < static_cast<std::size_t>(dim); ++k) matrix[k * static_cast<std::size_t>(dim) + k] = 1.0;
+  return matrix;
+}
+
+/// Samples of b between the starts of the two curves, in [0, m2).
+int shift_of(const Node& first, int m1, int m2) {
+  const int along = static_cast<int>(std::floor(static_cast<double>(first.i) * m2 / m1 + 0.5));
+  return ((first.j - along) % m2 + m2) % m2;
+}
+
+/// Which nodes of a path the paper's test calls invalid.
+void count_invalid(MatchReport& report, const Samples& a, const Samples& b, const Path& path, const MatchOptions& options) {
+  if (options.method == Method::elastic) {
+    report.invalid_length = static_cast<double>(path.invalid) * kInvalidQuantum;
+    const NodeTable chords = chord_costs(a, b, options.norm, options.features, RuledSign::product);
+    // A node is invalid with the chords behind it.
+    for (std::size_t n = 0; n + 1 < path.nodes.size(); ++n) {
+      const std::size_t i = static_cast<std::size_t>(path.nodes[n].i) % a.chords();
+      const std::size_t j = static_cast<std::size_t>(path.nodes[n].j) % b.chords();
+      report.invalid_nodes += chords.invalid[chords.index(i, j)];
+    }
+    return;
+  }
+  report.invalid_nodes = static_cast<int>(path.invalid);
+  if (path.invalid == 0) return;
+  const NodeTable nodes = node_costs(a, b, options.norm, options.features);
+  // Each step's length, the mean of both curves', is shared by the nodes at its ends.
+  const auto invalid = [&](const Node& n) {
+    return nodes.invalid[nodes.index(static_cast<std::size_t>(n.i) % a.size(),
+                                     static_cast<std::size_t>(n.j) % b.size())] != 0;
+  };
+  const auto step_length = [](const Samples& s, int from, int to) {
+    return from == to ? 0.0 : s.chord_lengths[static_cast<std::size_t>(from) % s.chords()];
+  };
+  for (std::size_t n = 1; n < path.nodes.size(); ++n) {
+    const Node& from = path.nodes[n - 1];
+    const Node& to = path.nodes[n];
+    const double length = 0.5 * (step_length(a, from.i, to.i) + step_length(b, from.j, to.j));
+    report.invalid_length += 0.5 * length * (static_cast<double>(invalid(from)) + static_cast<double>(invalid(to)));
+  }
+}
+
+}  // namespace
+
+MatchReport make_report(const Samples& a, const SearchResult& found, const MatchOptions& options, Layout layout) {
+  MatchReport report;
+  const Samples& b = found.samples_b;
+  const bool closed = is_closed_layout(layout);
+  report.method = options.method;
+  report.norm = name_of(options.norm);
+  report.sampling = options.sampling.value_or(options.method == Method::paper ? Sampling::parameter : Sampling::arc);
+  report.samples = {static_cast<int>(a.size()), static_cast<int>(b.size())};
+  report.direction = found.reversed ? Direction::reversed : Direction::forward;
+  report.rotation = identity_rotation(a.dim());
+  report.exact = !options.coarse_to_fine;
+  report.path = found.path.nodes;
+  count_invalid(report, a, b, found.path, options);
+  report.cost = found.path.cost;
+  report.mean_cost = report.cost;
+  if (options.method == Method::paper) {
+    report.cost += static_cast<double>(report.samples[0] + report.samples[1]) * report.invalid_nodes;
+    const std::size_t counted = found.path.nodes.size() - (closed ? 1 : 0);
+    report.mean_cost = report.cost / static_cast<double>(std::max<std::size_t>(counted, 1));
+  }
+  if (layout != Layout::open) {
+    report.shift = shift_of(found.path.nodes.front(), report.samples[0], report.samples[1]);
+  }
+  return report;
+}
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace tandem

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "match/search.h"
+#include "tandem/match/match.h"
+
+namespace tandem {
+inline namespace v0 {
+namespace detail {
+
+/// The report of a programme's path: everything but the times and the validity of the fitted curves.
+[[nodiscard]] MatchReport make_report(const Samples& a, const SearchResult& found, const MatchOptions& options,
+                                      Layout layout);
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace tandem
