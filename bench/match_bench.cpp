@@ -26,9 +26,11 @@ Curve wander(unsigned seed, std::size_t n, bool closed) {
     points[i][1] = closed ? radius * std::sin(angle) : uniform(-2.0, 2.0);
   }
   if (!closed) return Curve::clamped_uniform(3, std::move(points));
-  for (std::size_t i = 0; i < 3; ++i) points.push_back(std::vector<double>(points[i].begin(), points[i].end()));
+  for (std::size_t i = 0; i < 3; ++i)
+    points.push_back(std::vector<double>(points[i].begin(), points[i].end()));
   std::vector<double> knots;
-  for (std::size_t k = 0; k < n + 7; ++k) knots.push_back((static_cast<double>(k) - 3.0) / static_cast<double>(n));
+  for (std::size_t k = 0; k < n + 7; ++k)
+    knots.push_back((static_cast<double>(k) - 3.0) / static_cast<double>(n));
   return Curve(3, std::move(knots), std::move(points));
 }
 
@@ -51,7 +53,8 @@ double plain_programme(const NodeTable& t, std::vector<double>& cost, std::vecto
   for (std::size_t i = m - 1, j = n - 1;;) {
     path.push_back({static_cast<int>(i), static_cast<int>(j)});
     if (i + j == 0) break;
-    const double diagonal = i > 0 && j > 0 ? cost[(i - 1) * n + j - 1] : std::numeric_limits<double>::infinity();
+    const double diagonal =
+        i > 0 && j > 0 ? cost[(i - 1) * n + j - 1] : std::numeric_limits<double>::infinity();
     const double left = j > 0 ? cost[i * n + j - 1] : std::numeric_limits<double>::infinity();
     const double up = i > 0 ? cost[(i - 1) * n + j] : std::numeric_limits<double>::infinity();
     if (diagonal <= left && diagonal <= up) {
@@ -66,7 +69,9 @@ double plain_programme(const NodeTable& t, std::vector<double>& cost, std::vecto
   return cost.back();
 }
 
-SampleOptions paper_samples(int m) { return {.count = m, .sampling = Sampling::parameter}; }
+SampleOptions paper_samples(int m) {
+  return {.count = m, .sampling = Sampling::parameter};
+}
 
 void BM_yardstick_plain_programme(benchmark::State& state) {
   const int m = static_cast<int>(state.range(0));
@@ -96,7 +101,8 @@ void BM_paper_sample_two_curves(benchmark::State& state) {
 }
 BENCHMARK(BM_paper_sample_two_curves);
 
-/// [C] on open curves: sampling, costs, programme, fit and composition, m = 100, 20 coefficients. One direction.
+/// [C] on open curves: sampling, costs, programme, fit and composition, m = 100, 20 coefficients. One
+/// direction.
 void BM_paper_open_whole(benchmark::State& state) {
   const Curve a = wander(1, 40, false);
   const Curve b = wander(2, 40, false);

@@ -9,7 +9,8 @@ inline namespace v0 {
 namespace detail {
 
 /// Nodes of a x b within `radius` samples of a coarse correspondence, in rows and in columns.
-[[nodiscard]] NodeMask mask_near(const Samples& a, const Samples& b, const Correspondence& coarse, int radius);
+[[nodiscard]] NodeMask mask_near(const Samples& a, const Samples& b, const Correspondence& coarse,
+                                 int radius);
 
 }  // namespace detail
 }  // namespace v0

@@ -19,7 +19,8 @@ class ChordRuns {
  public:
   ChordRuns(const Samples& samples, int longest) : count_(static_cast<int>(samples.chords())) {
     const int extra = samples.cyclic ? longest : 0;
-    for (int k = -extra; k < count_; ++k) lengths_.push_back(samples.chord_lengths[static_cast<std::size_t>(wrap(k))]);
+    for (int k = -extra; k < count_; ++k)
+      lengths_.push_back(samples.chord_lengths[static_cast<std::size_t>(wrap(k))]);
     extra_ = extra;
     uniform_.resize(lengths_.size(), 1);
     for (std::size_t k = 1; k < lengths_.size(); ++k) {
@@ -37,7 +38,9 @@ class ChordRuns {
     return sum;
   }
   /// Whether the n chords before node `end` are equally long.
-  [[nodiscard]] bool uniform(int end, int n) const { return uniform_[static_cast<std::size_t>(end - 1 + extra_)] >= n; }
+  [[nodiscard]] bool uniform(int end, int n) const {
+    return uniform_[static_cast<std::size_t>(end - 1 + extra_)] >= n;
+  }
 
  private:
   int count_;
@@ -48,7 +51,7 @@ class ChordRuns {
 
 /// A stretch of an edge on which neither curve changes its chord.
 struct Cell {
-  int a = 0;           ///< chord of the first curve, counted from the start of the edge
+  int a = 0;  ///< chord of the first curve, counted from the start of the edge
   int b = 0;
   double share = 0.0;  ///< of the edge
 };
@@ -63,7 +66,9 @@ void cut_cells(std::span<const double> first, std::span<const double> second, st
   double at = 0.0;
   for (;;) {
     const bool last = a + 1 == first.size() && b + 1 == second.size();
-    const double end = last ? 1.0 : (a + 1 == first.size() ? end_b : (b + 1 == second.size() ? end_a : std::min(end_a, end_b)));
+    const double end =
+        last ? 1.0
+             : (a + 1 == first.size() ? end_b : (b + 1 == second.size() ? end_a : std::min(end_a, end_b)));
     cells.push_back({static_cast<int>(a), static_cast<int>(b), std::max(0.0, end - at)});
     if (last) return;
     at = std::max(at, end);
@@ -80,7 +85,9 @@ int longest_step(const Samples& a, const Samples& b, const ElasticOptions& optio
 }
 
 /// Shares of n equal chords.
-std::vector<double> equal_shares(int n) { return std::vector<double>(static_cast<std::size_t>(n), 1.0 / n); }
+std::vector<double> equal_shares(int n) {
+  return std::vector<double>(static_cast<std::size_t>(n), 1.0 / n);
+}
 
 class EdgeCosts {
  public:
@@ -122,8 +129,8 @@ class EdgeCosts {
                                          static_cast<std::size_t>(runs_b_.wrap(j)))] != 0;
   }
 
-  /// All edges of one step that end in row i. Stretches of equal chords, the usual case between corners, share one
-  /// pattern of cells.
+  /// All edges of one step that end in row i. Stretches of equal chords, the usual case between corners,
+  /// share one pattern of cells.
   void fill_row(int i, std::size_t s) {
     const Step step = table_.steps[s];
     if (!table_.rows_cyclic && i < step.a) return;
@@ -144,7 +151,8 @@ class EdgeCosts {
     if (mask_.allowed.empty()) return true;
     const auto rows = static_cast<int>(table_.rows);
     const auto cols = static_cast<int>(table_.cols);
-    return mask_.allows(static_cast<std::size_t>((i + rows) % rows), static_cast<std::size_t>((j + cols) % cols));
+    return mask_.allows(static_cast<std::size_t>((i + rows) % rows),
+                        static_cast<std::size_t>((j + cols) % cols));
   }
 
   void cut_general(int i, int j, Step step) {
@@ -178,8 +186,8 @@ class EdgeCosts {
     }
     const std::size_t k = table_.index(static_cast<std::size_t>(i), s, static_cast<std::size_t>(j));
     const double strain = length > 0.0 ? (length_a - length_b) * (length_a - length_b) / length : 0.0;
-    table_.cost[k] = aggregate_ == Aggregate::maximum ? largest
-                                                      : integral * (0.5 * length) + options_.lambda * strain;
+    table_.cost[k] =
+        aggregate_ == Aggregate::maximum ? largest : integral * (0.5 * length) + options_.lambda * strain;
     table_.invalid[k] = std::round(invalid * (0.5 * length) / kInvalidQuantum);
   }
 
@@ -198,8 +206,8 @@ class EdgeCosts {
 
 }  // namespace
 
-EdgeTable edge_costs(const Samples& a, const Samples& b, const NodeTable& chord_costs, const ElasticOptions& options,
-                     Aggregate aggregate, const NodeMask& mask) {
+EdgeTable edge_costs(const Samples& a, const Samples& b, const NodeTable& chord_costs,
+                     const ElasticOptions& options, Aggregate aggregate, const NodeMask& mask) {
   if (chord_costs.rows != a.chords() || chord_costs.cols != b.chords()) {
     throw InvalidArgument("the chord costs do not belong to these samples");
   }

@@ -15,8 +15,8 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// Where a cell's path comes from: the step that led there, or the start of its path. As wide as a double, so that
-/// the relaxation below is one loop over equal lanes.
+/// Where a cell's path comes from: the step that led there, or the start of its path. As wide as a double, so
+/// that the relaxation below is one loop over equal lanes.
 using Tag = std::int64_t;
 
 /// Cells of the programme, by row; three parallel arrays for the same reason.
@@ -44,11 +44,11 @@ struct Cells {
   std::vector<Tag> tag;
 };
 
-/// n neighbouring cells `to` relaxed over one step from n neighbouring cells `from`. Strictly better paths only, so
-/// earlier steps win ties.
+/// n neighbouring cells `to` relaxed over one step from n neighbouring cells `from`. Strictly better paths
+/// only, so earlier steps win ties; an infinite cost bars the edge, whatever its invalidity.
 template <class Join, bool kInheritTag>
-void relax(Cells& cells, std::size_t from, std::size_t to, const double* edge_invalid, const double* edge_cost,
-           std::size_t n, Tag step) {
+void relax(Cells& cells, std::size_t from, std::size_t to, const double* edge_invalid,
+           const double* edge_cost, std::size_t n, Tag step) {
   const double* from_invalid = cells.invalid.data() + from;
   const double* from_cost = cells.cost.data() + from;
   const Tag* from_tag = cells.tag.data() + from;
@@ -58,7 +58,8 @@ void relax(Cells& cells, std::size_t from, std::size_t to, const double* edge_in
   for (std::size_t k = 0; k < n; ++k) {
     const double invalid = from_invalid[k] + edge_invalid[k];
     const double cost = Join::join(from_cost[k], edge_cost[k]);
-    const bool better = (invalid < to_invalid[k]) | ((invalid == to_invalid[k]) & (cost < to_cost[k]));
+    const bool better =
+        (cost < kInfinity) & ((invalid < to_invalid[k]) | ((invalid == to_invalid[k]) & (cost < to_cost[k])));
     to_invalid[k] = better ? invalid : to_invalid[k];
     to_cost[k] = better ? cost : to_cost[k];
     to_tag[k] = better ? (kInheritTag ? from_tag[k] : step) : to_tag[k];
@@ -104,8 +105,8 @@ class Programme {
         const int start = (first_row + i) * per_row + l;
         if (start >= first && start < last) cells.start(i, l, start);
       }
-      // No path is led through the columns of the starts: every closed path is counted once, at the last of its
-      // nodes that lies there.
+      // No path is led through the columns of the starts: every closed path is counted once, at the last of
+      // its nodes that lies there.
       relax_row<Join, true>(cells, first_row, i, per_row);
     }
     std::vector<StartBound> bounds;
@@ -149,7 +150,8 @@ class Programme {
   [[nodiscard]] int advance() const { return table_.cols_cyclic ? cols_ : cols_ - 1; }
 
  private:
-  /// Relaxes the cells of row i, from column first_col on, over all steps; cell rows count from table row first_row.
+  /// Relaxes the cells of row i, from column first_col on, over all steps; cell rows count from table row
+  /// first_row.
   template <class Join, bool kInheritTag>
   void relax_row(Cells& cells, int first_row, int i, int first_col) const {
     const auto row = static_cast<std::size_t>((first_row + i) % rows_);
@@ -205,7 +207,8 @@ void check_table(const EdgeTable& table, bool rows_cyclic, bool cols_cyclic) {
     throw InvalidArgument("an edge table needs rows * cols * steps > 0 costs and as many invalid lengths");
   }
   if (table.rows_cyclic != rows_cyclic || table.cols_cyclic != cols_cyclic) {
-    throw InvalidArgument("the edge table is cyclic where the programme wants it open, or the other way round");
+    throw InvalidArgument(
+        "the edge table is cyclic where the programme wants it open, or the other way round");
   }
   for (double c : table.cost) {
     if (!(c >= 0.0)) throw InvalidArgument("an edge cost is negative or not a number");
@@ -223,8 +226,8 @@ EdgeTable bar_above(EdgeTable table, double threshold) {
   return table;
 }
 
-/// `find(table, join)` for sums; for Aggregate::maximum twice: the least maximum first, then the least sum among the
-/// paths that stay below it.
+/// `find(table, join)` for sums; for Aggregate::maximum twice: the least maximum first, then the least sum
+/// among the paths that stay below it.
 template <class Find>
 Path aggregate_path(const EdgeTable& table, Aggregate aggregate, const Find& find) {
   if (aggregate == Aggregate::sum) return find(table, SumCosts{});

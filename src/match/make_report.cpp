@@ -33,7 +33,8 @@ std::string name_of(const Norm& norm) {
 std::vector<double> identity_rotation(int dim) {
   if (dim == 2) return {1.0, 0.0};
   std::vector<double> matrix(static_cast<std::size_t>(dim) * static_cast<std::size_t>(dim), 0.0);
-  for (std::size_t k = 0; k < static_cast<std::size_t>(dim); ++k) matrix[k * static_cast<std::size_t>(dim) + k] = 1.0;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(dim); ++k)
+    matrix[k * static_cast<std::size_t>(dim) + k] = 1.0;
   return matrix;
 }
 
@@ -44,7 +45,8 @@ int shift_of(const Node& first, int m1, int m2) {
 }
 
 /// Which nodes of a path the paper's test calls invalid.
-void count_invalid(MatchReport& report, const Samples& a, const Samples& b, const Path& path, const MatchOptions& options) {
+void count_invalid(MatchReport& report, const Samples& a, const Samples& b, const Path& path,
+                   const MatchOptions& options) {
   if (options.method == Method::elastic) {
     report.invalid_length = static_cast<double>(path.invalid) * kInvalidQuantum;
     const NodeTable chords = chord_costs(a, b, options.norm, options.features, RuledSign::product);
@@ -71,19 +73,22 @@ void count_invalid(MatchReport& report, const Samples& a, const Samples& b, cons
     const Node& from = path.nodes[n - 1];
     const Node& to = path.nodes[n];
     const double length = 0.5 * (step_length(a, from.i, to.i) + step_length(b, from.j, to.j));
-    report.invalid_length += 0.5 * length * (static_cast<double>(invalid(from)) + static_cast<double>(invalid(to)));
+    report.invalid_length +=
+        0.5 * length * (static_cast<double>(invalid(from)) + static_cast<double>(invalid(to)));
   }
 }
 
 }  // namespace
 
-MatchReport make_report(const Samples& a, const SearchResult& found, const MatchOptions& options, Layout layout) {
+MatchReport make_report(const Samples& a, const SearchResult& found, const MatchOptions& options,
+                        Layout layout) {
   MatchReport report;
   const Samples& b = found.samples_b;
   const bool closed = is_closed_layout(layout);
   report.method = options.method;
   report.norm = name_of(options.norm);
-  report.sampling = options.sampling.value_or(options.method == Method::paper ? Sampling::parameter : Sampling::arc);
+  report.sampling =
+      options.sampling.value_or(options.method == Method::paper ? Sampling::parameter : Sampling::arc);
   report.samples = {static_cast<int>(a.size()), static_cast<int>(b.size())};
   report.direction = found.reversed ? Direction::reversed : Direction::forward;
   report.rotation = identity_rotation(a.dim());

@@ -8,8 +8,8 @@ inline namespace v0 {
 namespace detail {
 
 /// The report of a programme's path: everything but the times and the validity of the fitted curves.
-[[nodiscard]] MatchReport make_report(const Samples& a, const SearchResult& found, const MatchOptions& options,
-                                      Layout layout);
+[[nodiscard]] MatchReport make_report(const Samples& a, const SearchResult& found,
+                                      const MatchOptions& options, Layout layout);
 
 }  // namespace detail
 }  // namespace v0

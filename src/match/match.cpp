@@ -27,11 +27,12 @@ constexpr int kOpenSamples = 100;
 constexpr int kClosedSamples = 128;
 constexpr int kPaperCoefficients = 20;
 
-/// The elastic steps bridge ratios up to the longest step; beyond half of that the default counts are evened out.
+/// The elastic steps bridge ratios up to the longest step; beyond half of that the default counts are evened
+/// out.
 constexpr std::size_t kLargestRatio = 3;
 
-/// Coarse to fine: the coarse programme has a quarter of the samples, and the fine one may stray from it by two
-/// coarse samples.
+/// Coarse to fine: the coarse programme has a quarter of the samples, and the fine one may stray from it by
+/// two coarse samples.
 constexpr int kCoarsening = 4;
 constexpr int kFewestCoarseSamples = 16;
 constexpr int kMaskRadius = 2 * kCoarsening;
@@ -87,12 +88,14 @@ SampleOptions sample_options(const MatchOptions& options, int requested, bool cy
   return s;
 }
 
-/// Samples of both curves. Counts that the caller left open are raised until the elastic steps can bridge them.
-SamplePair sample_pair(const Curve& a, const Curve& b, const MatchOptions& options, Layout layout, int divisor) {
+/// Samples of both curves. Counts that the caller left open are raised until the elastic steps can bridge
+/// them.
+SamplePair sample_pair(const Curve& a, const Curve& b, const MatchOptions& options, Layout layout,
+                       int divisor) {
   // The elastic pinned form cuts the second loop against the first one, which is open at its seam.
   const bool pinned_open = layout == Layout::pinned && options.method == Method::elastic;
-  const bool cyclic_a = layout == Layout::toroidal || layout == Layout::cut_a ||
-                        (layout == Layout::pinned && !pinned_open);
+  const bool cyclic_a =
+      layout == Layout::toroidal || layout == Layout::cut_a || (layout == Layout::pinned && !pinned_open);
   const bool cyclic_b = layout == Layout::toroidal || layout == Layout::cut_b || layout == Layout::pinned;
   SampleOptions options_a = sample_options(options, options.samples[0], cyclic_a, divisor);
   SampleOptions options_b = sample_options(options, options.samples[1], cyclic_b, divisor);
@@ -111,19 +114,21 @@ SamplePair sample_pair(const Curve& a, const Curve& b, const MatchOptions& optio
   return pair;
 }
 
-PathParameters parameters_of(const SamplePair& samples, const SearchResult& found, const MatchOptions& options,
-                             Layout layout) {
+PathParameters parameters_of(const SamplePair& samples, const SearchResult& found,
+                             const MatchOptions& options, Layout layout) {
   return detail::path_parameters(samples.a, found.samples_b, found.path.nodes, found.reversed,
                                  detail::is_closed_layout(layout), options.method == Method::elastic);
 }
 
 /// The programme on a quarter of the samples, and with it a mask for all of them; also settles the direction.
-NodeMask coarse_mask(const Curve& a, const Curve& b, const SamplePair& fine, MatchOptions& options, Layout layout) {
+NodeMask coarse_mask(const Curve& a, const Curve& b, const SamplePair& fine, MatchOptions& options,
+                     Layout layout) {
   const SamplePair coarse = sample_pair(a, b, options, layout, kCoarsening);
   const SearchResult found = detail::search(coarse.a, coarse.b, options, layout);
   if (found.path.nodes.empty() || found.path.cancelled) return {};
   options.direction = found.reversed ? Direction::reversed : Direction::forward;
-  return detail::mask_near(fine.a, fine.b, parameters_of(coarse, found, options, layout).correspondence, kMaskRadius);
+  return detail::mask_near(fine.a, fine.b, parameters_of(coarse, found, options, layout).correspondence,
+                           kMaskRadius);
 }
 
 ReductionOptions reduction_of(const MatchOptions& options) {
@@ -154,8 +159,8 @@ Match cancelled_match(const Curve& a, const Curve& b, SamplePair samples) {
   Reparametrization r = fit({c.points, {}}, {});
   MatchReport report;
   report.cancelled = true;
-  return {std::move(c), std::move(r), with_domain(b, u), std::move(report), std::move(samples.a),
-          std::move(samples.b)};
+  return {std::move(c),      std::move(r),         with_domain(b, u),
+          std::move(report), std::move(samples.a), std::move(samples.b)};
 }
 
 void check_curves(const Curve& a, const Curve& b, const MatchOptions& options) {
@@ -203,8 +208,9 @@ Match match(const Curve& a, const Curve& b, const MatchOptions& given) {
 
   const Curve& first = layout == Layout::cut_a ? move_seam(a, curve.domain().lo) : a;
   report.validity = check_validity(first, curve, validity_norm(options.norm));
-  return {std::move(path.correspondence), std::move(r), std::move(curve), std::move(report), std::move(samples.a),
-          std::move(found.samples_b)};
+  return {
+      std::move(path.correspondence), std::move(r), std::move(curve), std::move(report), std::move(samples.a),
+      std::move(found.samples_b)};
 }
 
 std::vector<Match> match_chain(std::span<const Curve> curves, const MatchOptions& options) {

@@ -43,11 +43,14 @@ class Monitor {
 
   [[nodiscard]] double turning() const { return turning_.back(); }
 
-  /// n nodes (without the section's end) that share length and turning equally; offsets from the section's start.
-  [[nodiscard]] std::vector<double> place(const Section& section, int n, double total, double total_turning) const {
+  /// n nodes (without the section's end) that share length and turning equally; offsets from the section's
+  /// start.
+  [[nodiscard]] std::vector<double> place(const Section& section, int n, double total,
+                                          double total_turning) const {
     const int steps = static_cast<int>(turning_.size()) - 1;
     const auto measure = [&](int k) {
-      const double by_turning = total_turning > 0.0 ? turning_[static_cast<std::size_t>(k)] / total_turning : 0.0;
+      const double by_turning =
+          total_turning > 0.0 ? turning_[static_cast<std::size_t>(k)] / total_turning : 0.0;
       return 0.5 * section.length / total * k / steps + 0.5 * by_turning;
     };
     std::vector<double> offsets;
@@ -66,14 +69,28 @@ class Monitor {
   std::vector<double> turning_;
 };
 
-/// Where the loop without corners starts: the phase of its lowest harmonic, which depends on the shape alone.
-/// Source: spec C10. The coordinate with the strongest first harmonic decides.
-double harmonic_phase(const Curve& curve, const ArcLength& arc, int samples) {
+/// The angle in [0, 360) whose cosine and sine are (re, im) / |(re, im)|, by Newton's method from the middle
+/// of its quadrant: the library's atan2 differs between platforms.
+double angle_degrees(double re, double im) {
+  const double radius = std::sqrt(re * re + im * im);
+  double degrees = re >= 0.0 ? (im >= 0.0 ? 45.0 : 315.0) : (im >= 0.0 ? 135.0 : 225.0);
+  for (int round = 0; round < 8; ++round) {
+    const CosSin w = cos_sin_degrees(degrees);
+    degrees += (im * w.cosine - re * w.sine) / radius * (180.0 / std::numbers::pi);
+  }
+  return degrees;
+}
+
+/// The phase of the lowest harmonic of the curve, as an arc length from `start`, where its sampling begins.
+/// The coordinate in which the harmonic is strongest decides.
+double harmonic_offset(const Curve& curve, const ArcLength& arc, double start, int samples) {
   const Evaluator evaluator(curve);
   const auto dim = static_cast<std::size_t>(curve.dim());
   Points points(curve.dim(), static_cast<std::size_t>(samples));
   for (int k = 0; k < samples; ++k) {
-    evaluator.point(arc.parameter_at(arc.length() * k / samples), points[static_cast<std::size_t>(k)]);
+    const double s = start + arc.length() * k / samples;
+    evaluator.point(arc.parameter_at(s < arc.length() ? s : s - arc.length()),
+                    points[static_cast<std::size_t>(k)]);
   }
   for (int harmonic = 1; harmonic <= 4; ++harmonic) {
     double best = 0.0;
@@ -98,22 +115,26 @@ double harmonic_phase(const Curve& curve, const ArcLength& arc, int samples) {
     }
     // Below this the harmonic is rounding: 1e-6 of the extent, squared, times samples^2.
     if (best <= 1e-12 * samples * samples) continue;
-    // The angle whose cosine and sine are (re, im), by Newton's method from the quadrant's middle: the library's
-    // atan2 differs between platforms.
-    const double radius = std::sqrt(best);
-    double degrees = best_re >= 0.0 ? (best_im >= 0.0 ? 45.0 : 315.0) : (best_im >= 0.0 ? 135.0 : 225.0);
-    for (int round = 0; round < 8; ++round) {
-      const CosSin w = cos_sin_degrees(degrees);
-      degrees += (best_im * w.cosine - best_re * w.sine) / radius * (180.0 / std::numbers::pi);
-    }
-    const double turn = degrees / 360.0 / harmonic;
+    const double turn = angle_degrees(best_re, best_im) / 360.0 / harmonic;
     return arc.length() * (turn - std::floor(turn));
   }
   return 0.0;
 }
 
-std::vector<Section> cut_sections(const Curve& curve, const ArcLength& arc, const std::vector<double>& corners,
-                                  const SampleOptions& options) {
+/// Where the loop without corners starts: the phase of its lowest harmonic, which depends on the shape alone
+/// (spec C10). A sum over samples knows the phase only up to their aliasing, which depends on where they
+/// start: they start at the phase itself, found by repetition. Each round shrinks what is left by 1e-4 or so.
+double harmonic_phase(const Curve& curve, const ArcLength& arc, int samples) {
+  double phase = 0.0;
+  for (int round = 0; round < 3; ++round) {
+    phase += harmonic_offset(curve, arc, phase, samples);
+    if (phase >= arc.length()) phase -= arc.length();
+  }
+  return phase;
+}
+
+std::vector<Section> cut_sections(const Curve& curve, const ArcLength& arc,
+                                  const std::vector<double>& corners, const SampleOptions& options) {
   const double total = arc.length();
   std::vector<Section> sections;
   if (!options.cyclic) sections.push_back({0.0, 0.0, curve.domain().lo});
@@ -166,8 +187,8 @@ std::vector<double> find_corners(const Curve& curve, double angle, bool cyclic, 
   return parameters;
 }
 
-std::vector<PlacedNode> place_by_length(const Curve& curve, const ArcLength& arc, const std::vector<double>& corners,
-                                        const SampleOptions& options) {
+std::vector<PlacedNode> place_by_length(const Curve& curve, const ArcLength& arc,
+                                        const std::vector<double>& corners, const SampleOptions& options) {
   const double total = arc.length();
   const bool cyclic = options.cyclic;
   const std::vector<Section> sections = cut_sections(curve, arc, corners, options);
@@ -199,8 +220,8 @@ std::vector<PlacedNode> place_by_length(const Curve& curve, const ArcLength& arc
     for (int i = 0; i < n; ++i) {
       const double end = i + 1 < n ? offsets[static_cast<std::size_t>(i) + 1] : section.length;
       // Equal chords are equal to the bit: the elastic programme shares its quadrature among them.
-      const double chord = options.sampling == Sampling::arc ? section.length / n
-                                                             : end - offsets[static_cast<std::size_t>(i)];
+      const double chord =
+          options.sampling == Sampling::arc ? section.length / n : end - offsets[static_cast<std::size_t>(i)];
       double s = section.start + offsets[static_cast<std::size_t>(i)];
       if (s >= total) s -= total;
       nodes.push_back({i == 0 ? section.parameter : arc.parameter_at(s), chord});
@@ -210,9 +231,9 @@ std::vector<PlacedNode> place_by_length(const Curve& curve, const ArcLength& arc
     nodes.push_back({curve.domain().hi, 0.0});
   } else {
     // Node 0 is the first one behind the seam.
-    const auto first = std::min_element(nodes.begin(), nodes.end(), [](const PlacedNode& x, const PlacedNode& y) {
-      return x.parameter < y.parameter;
-    });
+    const auto first =
+        std::min_element(nodes.begin(), nodes.end(),
+                         [](const PlacedNode& x, const PlacedNode& y) { return x.parameter < y.parameter; });
     std::rotate(nodes.begin(), first, nodes.end());
   }
   return nodes;

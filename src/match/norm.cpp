@@ -16,8 +16,8 @@ namespace {
 using detail::cross;
 using detail::dot;
 
-/// A pair is invalid for the elastic programme below this value: a little slack, so that tangents which are merely
-/// perpendicular (a corner of 90 degrees, sampled) do not bar a match (spec C5).
+/// A pair is invalid for the elastic programme below this value: a little slack, so that tangents which are
+/// merely perpendicular (a corner of 90 degrees, sampled) do not bar a match (spec C5).
 constexpr double kElasticInvalid = -0.05;
 
 /// The nodes or chords of one curve, as the norms see them.
@@ -63,7 +63,8 @@ double ruled_product(std::span<const double> t1, std::span<const double> t2, std
 }
 
 /// The signed test: the product where both sides agree with the sign, else the worse of the two (spec C13).
-double ruled_signed(std::span<const double> t1, std::span<const double> t2, std::span<const double> d, double sign) {
+double ruled_signed(std::span<const double> t1, std::span<const double> t2, std::span<const double> d,
+                    double sign) {
   if (detail::largest(d) == 0.0) return dot(t1, t2);
   const double first = sign * cross(d, t1);
   const double second = sign * cross(d, t2);
@@ -71,8 +72,8 @@ double ruled_signed(std::span<const double> t1, std::span<const double> t2, std:
   return worse >= 0.0 ? first * second : worse;
 }
 
-/// Difference of two curvatures in [0,1]: relative to both, and to the curvature of a circle, so that small ones
-/// do not count as features.
+/// Difference of two curvatures in [0,1]: relative to both, and to the curvature of a circle, so that small
+/// ones do not count as features.
 double curvature_difference(double x, double y) {
   return std::fabs(x - y) / (std::fabs(x) + std::fabs(y) + 2.0 * std::numbers::pi);
 }
@@ -158,7 +159,8 @@ NodeTable user_table(const Sites& a, const Sites& b, const UserNorm& norm, const
     const NormValue v = norm({(*a.tangents)[i], (*b.tangents)[j], a.points[i], b.points[j]});
     if (!(v.cost >= 0.0) || !std::isfinite(v.cost)) {
       throw InvalidArgument("the user's norm returned " + std::to_string(v.cost) + " for samples " +
-                            std::to_string(i) + " and " + std::to_string(j) + "; expected a finite cost >= 0");
+                            std::to_string(i) + " and " + std::to_string(j) +
+                            "; expected a finite cost >= 0");
     }
     return v;
   });
@@ -166,8 +168,8 @@ NodeTable user_table(const Sites& a, const Sites& b, const UserNorm& norm, const
 
 NodeTable make_table(const Sites& a, const Sites& b, const Norm& norm, const TableOptions& options) {
   if (a.tangents->dim() != b.tangents->dim()) {
-    throw InvalidArgument("the curves have different dimensions: " + std::to_string(a.tangents->dim()) + " and " +
-                          std::to_string(b.tangents->dim()));
+    throw InvalidArgument("the curves have different dimensions: " + std::to_string(a.tangents->dim()) +
+                          " and " + std::to_string(b.tangents->dim()));
   }
   if (const auto* user = std::get_if<UserNorm>(&norm)) return user_table(a, b, *user, options);
   switch (std::get<NormKind>(norm)) {

@@ -7,7 +7,8 @@ namespace tandem {
 inline namespace v0 {
 namespace detail {
 
-/// Calls body(0) .. body(count - 1), on up to `threads` threads (0: all). The calls must not depend on one another.
+/// Calls body(0) .. body(count - 1), on up to `threads` threads (0: all). The calls must not depend on one
+/// another.
 template <class Body>
 void parallel_for(int count, int threads, const Body& body) {
   if (count <= 1 || threads == 1) {

@@ -37,8 +37,8 @@ class Unrolled {
     return at;
   }
 
-  /// The parameter at `share` of the way from node i on, given the nodes' shares; within a chord the parameter is
-  /// taken as linear in the length.
+  /// The parameter at `share` of the way from node i on, given the nodes' shares; within a chord the
+  /// parameter is taken as linear in the length.
   [[nodiscard]] double parameter_at(int i, const std::vector<double>& shares, double share) const {
     std::size_t k = 0;
     while (k + 2 < shares.size() && shares[k + 1] <= share) ++k;
@@ -105,8 +105,8 @@ Interval span_of(const std::vector<ParameterPair>& points, double ParameterPair:
 
 }  // namespace
 
-PathParameters path_parameters(const Samples& a, const Samples& b, const std::vector<Node>& nodes, bool reversed,
-                               bool closed, bool elastic) {
+PathParameters path_parameters(const Samples& a, const Samples& b, const std::vector<Node>& nodes,
+                               bool reversed, bool closed, bool elastic) {
   PathWalk walk(a, b);
   for (std::size_t n = 0; n < nodes.size(); ++n) {
     if (n > 0 && elastic) walk.add_edge(nodes[n - 1], nodes[n]);

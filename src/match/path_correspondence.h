@@ -16,11 +16,12 @@ struct PathParameters {
   std::vector<double> corners;  ///< u of the points at which either curve has a corner
 };
 
-/// b: samples as matched. elastic: the edges between the path's nodes are linear in arc length, and get a point at
-/// every node of either curve that they pass; otherwise the nodes alone are the points.
-/// closed: the correspondence runs once round both curves.
-[[nodiscard]] PathParameters path_parameters(const Samples& a, const Samples& b, const std::vector<Node>& nodes,
-                                             bool reversed, bool closed, bool elastic);
+/// b: samples as matched. elastic: the edges between the path's nodes are linear in arc length, and get a
+/// point at every node of either curve that they pass; otherwise the nodes alone are the points. closed: the
+/// correspondence runs once round both curves.
+[[nodiscard]] PathParameters path_parameters(const Samples& a, const Samples& b,
+                                             const std::vector<Node>& nodes, bool reversed, bool closed,
+                                             bool elastic);
 
 }  // namespace detail
 }  // namespace v0

@@ -53,8 +53,7 @@ void evaluate_nodes(const Curve& curve, Samples& s) {
   for (std::size_t i = 0; i < n; ++i) {
     const double t = s.parameters[i];
     evaluator.point(t, s.positions[i]);
-    const double speed =
-        detail::one_sided_tangent(evaluator, t, Side::right, extent, s.tangents_out[i]);
+    const double speed = detail::one_sided_tangent(evaluator, t, Side::right, extent, s.tangents_out[i]);
     s.speeds[i] = speed * s.domain.length() / extent;
     const bool at_seam = s.cyclic && t == s.domain.lo;
     const bool at_end = !s.cyclic && (i == 0 || i + 1 == n);
@@ -68,9 +67,9 @@ void evaluate_nodes(const Curve& curve, Samples& s) {
   }
 }
 
-/// Smooths the positions with a triweight kernel of standard deviation `sigma` over the normalised length (close to
-/// a Gaussian, of finite support, and without library functions). Open curves are reflected at their ends, which
-/// stay where they are.
+/// Smooths the positions with a triweight kernel of standard deviation `sigma` over the normalised length
+/// (close to a Gaussian, of finite support, and without library functions). Open curves are reflected at
+/// their ends, which stay where they are.
 Points low_passed(const Samples& s, double sigma) {
   const std::size_t n = s.size();
   const auto dim = static_cast<std::size_t>(s.dim());
@@ -146,8 +145,8 @@ void measure_curvature(Samples& s) {
                                                       s.chord_lengths[(k + 1) % chords]);
     if (!(length > 0.0)) continue;
     const double cosine = detail::dot(before, after);
-    const double sine = s.dim() == 2 ? detail::cross(before, after)
-                                     : std::sqrt(std::max(0.0, 1.0 - cosine * cosine));
+    const double sine =
+        s.dim() == 2 ? detail::cross(before, after) : std::sqrt(std::max(0.0, 1.0 - cosine * cosine));
     // 2 tan(angle / 2), the angle to second order; capped where the chords nearly reverse.
     s.curvatures[k] = 2.0 * sine / std::max(1.0 + cosine, 0.1) / length;
   }
@@ -157,9 +156,11 @@ void measure_curvature(Samples& s) {
 
 Samples sample(const Curve& original, const SampleOptions& options) {
   if (options.count < (options.cyclic ? 3 : 2)) {
-    throw InvalidArgument("a curve needs at least 2 samples, a loop 3; asked for " + std::to_string(options.count));
+    throw InvalidArgument("a curve needs at least 2 samples, a loop 3; asked for " +
+                          std::to_string(options.count));
   }
-  if (options.cyclic && !original.is_closed()) throw InvalidArgument("an open curve cannot be sampled as a loop");
+  if (options.cyclic && !original.is_closed())
+    throw InvalidArgument("an open curve cannot be sampled as a loop");
   if (!(options.low_pass >= 0.0 && options.low_pass < 0.5)) {
     throw InvalidArgument("the low-pass width must lie in [0, 0.5) of the length");
   }
@@ -167,7 +168,8 @@ Samples sample(const Curve& original, const SampleOptions& options) {
   if (!(extent > 0.0)) throw InvalidArgument("the curve is a single point: it has no direction to match");
   const bool rescale = extent > kLargestExtent || extent < 1.0 / kLargestExtent;
   const double factor = rescale ? std::scalbn(1.0, -std::ilogb(extent)) : 1.0;
-  if (rescale && !std::isfinite(factor)) throw InvalidArgument("the curve is smaller than a double can resolve");
+  if (rescale && !std::isfinite(factor))
+    throw InvalidArgument("the curve is smaller than a double can resolve");
   const Curve& curve = rescale ? scaled(original, factor) : original;
 
   Samples s;
@@ -233,7 +235,8 @@ Samples reversed(const Samples& s) {
   const bool keep_first = s.cyclic && s.parameters.front() == s.domain.lo;
   for (std::size_t i = 0; i < n; ++i) {
     const std::size_t k = keep_first ? (n - i) % n : n - 1 - i;
-    r.parameters.push_back(keep_first && i == 0 ? s.domain.lo : s.domain.lo + (s.domain.hi - s.parameters[k]));
+    r.parameters.push_back(keep_first && i == 0 ? s.domain.lo
+                                                : s.domain.lo + (s.domain.hi - s.parameters[k]));
     r.speeds.push_back(s.speeds[k]);
     r.corners.push_back(s.corners[k]);
     std::copy(s.positions[k].begin(), s.positions[k].end(), r.positions[i].begin());

@@ -56,7 +56,8 @@ Path swapped(Path path) {
 
 NodeMask transposed(const NodeMask& mask) {
   NodeMask t{mask.cols, mask.rows, std::vector<std::uint8_t>(mask.allowed.size())};
-  for (std::size_t k = 0; k < mask.allowed.size(); ++k) t.allowed[k % mask.cols * mask.rows + k / mask.cols] = mask.allowed[k];
+  for (std::size_t k = 0; k < mask.allowed.size(); ++k)
+    t.allowed[k % mask.cols * mask.rows + k / mask.cols] = mask.allowed[k];
   return t;
 }
 
@@ -73,12 +74,13 @@ NodeMask reversed(const NodeMask& mask, const Samples& b) {
   return r;
 }
 
-Path elastic_path(const Samples& a, const Samples& b, const MatchOptions& options, Layout layout, RuledSign sign,
-                  const NodeMask& mask, const Progress& progress) {
+Path elastic_path(const Samples& a, const Samples& b, const MatchOptions& options, Layout layout,
+                  RuledSign sign, const NodeMask& mask, const Progress& progress) {
   if (layout == Layout::cut_b || layout == Layout::pinned) {
-    return swapped(elastic_path(b, a, options, Layout::cut_a, sign == RuledSign::positive   ? RuledSign::negative
-                                                              : sign == RuledSign::negative ? RuledSign::positive
-                                                                                            : sign,
+    return swapped(elastic_path(b, a, options, Layout::cut_a,
+                                sign == RuledSign::positive   ? RuledSign::negative
+                                : sign == RuledSign::negative ? RuledSign::positive
+                                                              : sign,
                                 transposed(mask), progress));
   }
   const Aggregate aggregate = aggregate_of(options.norm);
@@ -100,8 +102,8 @@ NodeTable transposed(const NodeTable& table) {
   return t;
 }
 
-Path paper_path(const Samples& a, const Samples& b, const MatchOptions& options, Layout layout, RuledSign sign,
-                const NodeMask& mask, const Progress& progress) {
+Path paper_path(const Samples& a, const Samples& b, const MatchOptions& options, Layout layout,
+                RuledSign sign, const NodeMask& mask, const Progress& progress) {
   const Aggregate aggregate = aggregate_of(options.norm);
   NodeTable nodes = node_costs(a, b, options.norm, options.features, sign);
   for (std::size_t k = 0; k < mask.allowed.size(); ++k) {
@@ -136,7 +138,8 @@ Path in_own_order(Path path, int m1, int m2) {
   return path;
 }
 
-/// A progress callback for each of several candidates that run at once; the caller's sees one rising fraction.
+/// A progress callback for each of several candidates that run at once; the caller's sees one rising
+/// fraction.
 class SharedProgress {
  public:
   SharedProgress(const Progress& progress, int count) : progress_(progress), count_(count) {}

@@ -25,16 +25,16 @@ enum class Layout {
 
 /// The better direction of two matched curves.
 struct SearchResult {
-  Path path;              ///< nodes of a and of b as matched (reversed if `reversed`); loops: i starts in [0, m1)
+  Path path;  ///< nodes of a and of b as matched (reversed if `reversed`); loops: i starts in [0, m1)
   bool reversed = false;
-  Samples samples_b;      ///< as matched
+  Samples samples_b;  ///< as matched
 };
 
-/// Runs the programme for every direction (and sign of the ruled norm) that the options allow, and keeps the best:
-/// forward on a tie. mask: nodes of a x b in forward order that may be used (see NodeMask).
+/// Runs the programme for every direction (and sign of the ruled norm) that the options allow, and keeps the
+/// best: forward on a tie. mask: nodes of a x b in forward order that may be used (see NodeMask).
 /// @throws InvalidArgument no path exists
-[[nodiscard]] SearchResult search(const Samples& a, const Samples& b, const MatchOptions& options, Layout layout,
-                                  const NodeMask& mask = {});
+[[nodiscard]] SearchResult search(const Samples& a, const Samples& b, const MatchOptions& options,
+                                  Layout layout, const NodeMask& mask = {});
 
 }  // namespace detail
 }  // namespace v0

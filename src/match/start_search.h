@@ -25,10 +25,11 @@ struct StartChoice {
 
 /// The best of `count` starts of a closed path, exact, by branch and bound.
 ///
-/// bound(first, last) runs the programme with all starts of [first, last) at once and returns one StartBound each.
-/// Where origin is the start itself, the bound is the cost of a true closed path; the other starts are searched
-/// again in halves, best bound first, until none can beat the best path found. Rounding does no harm: addition and
-/// minimum are monotone in floating point, so a bound is never above the cost that it bounds.
+/// bound(first, last) runs the programme with all starts of [first, last) at once and returns one StartBound
+/// each. Where origin is the start itself, the bound is the cost of a true closed path; the other starts are
+/// searched again in halves, best bound first, until none can beat the best path found. Rounding does no
+/// harm: addition and minimum are monotone in floating point, so a bound is never above the cost that it
+/// bounds.
 template <class BoundFunction>
 [[nodiscard]] StartChoice search_starts(int count, const BoundFunction& bound, const Progress& progress) {
   struct Range {

@@ -16,7 +16,8 @@ constexpr double kStandstill = 1e-12;
 
 }  // namespace
 
-double one_sided_tangent(const Evaluator& curve, double t, Side side, double extent, std::span<double> tangent) {
+double one_sided_tangent(const Evaluator& curve, double t, Side side, double extent,
+                         std::span<double> tangent) {
   const auto dim = tangent.size();
   const double period = curve.domain().length();
   std::vector<double> rows;
@@ -31,14 +32,16 @@ double one_sided_tangent(const Evaluator& curve, double t, Side side, double ext
   const double speed = normalize(tangent);
   if (speed * period > kStandstill * extent) return speed;
 
-  // A rational curve has derivatives of every order; beyond the degree they say nothing new about the direction.
+  // A rational curve has derivatives of every order; beyond the degree they say nothing new about the
+  // direction.
   const int order = std::max(2, curve.degree());
   std::vector<double> all(static_cast<std::size_t>(order + 1) * dim);
   curve.derivatives(t, order, side, all);
   double unit = period;
   for (int k = 2; k <= order; ++k) {
     unit *= period;
-    std::copy_n(all.begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(k) * dim), dim, tangent.begin());
+    std::copy_n(all.begin() + static_cast<std::ptrdiff_t>(static_cast<std::size_t>(k) * dim), dim,
+                tangent.begin());
     if (normalize(tangent) * unit > kStandstill * extent) {
       if (side == Side::left && k % 2 == 0) {
         for (double& c : tangent) c = -c;

@@ -48,7 +48,8 @@ class Nodes {
 /// A row of the programme; cell j + 1 is column j of the window, cell 0 a sentinel.
 using Row = std::vector<LexCost>;
 
-/// One row, from column lo on, from the row above: [C] eq. (7) in lexicographic order. Ties: diagonal, left, up.
+/// One row, from column lo on, from the row above: [C] eq. (7) in lexicographic order. Ties: diagonal, left,
+/// up.
 template <class Join>
 void relax_row(const Nodes& nodes, const Window& w, int i, int lo, const Row& above, Row& row,
                std::uint8_t* moves) {
@@ -92,8 +93,8 @@ Path backtrack(const Window& w, const std::vector<std::uint8_t>& moves) {
   return path;
 }
 
-/// The optimal path from the window's first node to its last. On a closed path the first node's own cost does not
-/// count: it is the last node too.
+/// The optimal path from the window's first node to its last. On a closed path the first node's own cost does
+/// not count: it is the last node too.
 template <class Join>
 TracedPath trace_window(const Nodes& nodes, const Window& w, bool count_start) {
   const auto cols = static_cast<std::size_t>(w.cols);
@@ -102,7 +103,8 @@ TracedPath trace_window(const Nodes& nodes, const Window& w, bool count_start) {
   std::vector<std::uint8_t> moves(static_cast<std::size_t>(w.rows) * cols, kStart);
   for (int i = 0; i < w.rows; ++i) {
     if (i == 0) row[1] = count_start ? nodes.at(nodes.row(w.first_row), w.first_col) : LexCost{};
-    relax_row<Join>(nodes, w, i, i == 0 ? 1 : 0, above, row, moves.data() + static_cast<std::size_t>(i) * cols);
+    relax_row<Join>(nodes, w, i, i == 0 ? 1 : 0, above, row,
+                    moves.data() + static_cast<std::size_t>(i) * cols);
     std::swap(above, row);
     row[0] = LexCost::infinite();
   }
@@ -202,8 +204,8 @@ void check_table(const NodeTable& table) {
   }
 }
 
-/// Runs `find` once for sums; for Aggregate::maximum twice: the least maximum first, then the least sum among the
-/// paths that stay below it.
+/// Runs `find` once for sums; for Aggregate::maximum twice: the least maximum first, then the least sum among
+/// the paths that stay below it.
 template <class Find>
 Path aggregate_path(const NodeTable& table, Aggregate aggregate, const Find& find) {
   check_table(table);
@@ -248,14 +250,22 @@ Path closed_path(const NodeTable& table, Aggregate aggregate, const Progress& pr
 Path pinned_path(const NodeTable& table, Aggregate aggregate, const Progress& progress) {
   return aggregate_path(table, aggregate, [&](const Nodes& nodes, auto join) {
     return best_window<decltype(join)>(
-        nodes, nodes.cols(), [&](int k) { return Window{0, k, nodes.rows(), nodes.cols()}; }, progress);
+        nodes, nodes.cols(),
+        [&](int k) {
+          return Window{0, k, nodes.rows(), nodes.cols()};
+        },
+        progress);
   });
 }
 
 Path cut_path(const NodeTable& table, Aggregate aggregate, const Progress& progress) {
   return aggregate_path(table, aggregate, [&](const Nodes& nodes, auto join) {
     return best_window<decltype(join)>(
-        nodes, nodes.rows(), [&](int k) { return Window{k, 0, nodes.rows() + 1, nodes.cols()}; }, progress);
+        nodes, nodes.rows(),
+        [&](int k) {
+          return Window{k, 0, nodes.rows() + 1, nodes.cols()};
+        },
+        progress);
   });
 }
 

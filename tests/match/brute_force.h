@@ -26,8 +26,8 @@ inline double join(Aggregate aggregate, double path, double next) {
 }
 
 /// Every path of three steps from `at` to `end` in the unrolled table; `invalid` and `cost` are those so far.
-inline void all_paths(const NodeTable& t, Aggregate aggregate, Node at, Node end, std::int64_t invalid, double cost,
-                      Found& found) {
+inline void all_paths(const NodeTable& t, Aggregate aggregate, Node at, Node end, std::int64_t invalid,
+                      double cost, Found& found) {
   if (at == end) {
     found.offer(invalid, cost);
     return;
@@ -74,14 +74,14 @@ inline Found cut(const NodeTable& t, Aggregate aggregate) {
   Found found;
   for (int k = 0; k < static_cast<int>(t.rows); ++k) {
     const std::size_t start = t.index(static_cast<std::size_t>(k), 0);
-    all_paths(t, aggregate, {k, 0}, {k + static_cast<int>(t.rows), static_cast<int>(t.cols) - 1}, t.invalid[start],
-              t.cost[start], found);
+    all_paths(t, aggregate, {k, 0}, {k + static_cast<int>(t.rows), static_cast<int>(t.cols) - 1},
+              t.invalid[start], t.cost[start], found);
   }
   return found;
 }
 
-inline void all_paths(const EdgeTable& t, Aggregate aggregate, Node at, Node end, std::int64_t invalid, double cost,
-                      Found& found) {
+inline void all_paths(const EdgeTable& t, Aggregate aggregate, Node at, Node end, std::int64_t invalid,
+                      double cost, Found& found) {
   if (at == end) {
     found.offer(invalid, cost);
     return;
@@ -99,7 +99,8 @@ inline void all_paths(const EdgeTable& t, Aggregate aggregate, Node at, Node end
 
 inline Found open(const EdgeTable& t, Aggregate aggregate) {
   Found found;
-  all_paths(t, aggregate, {0, 0}, {static_cast<int>(t.rows) - 1, static_cast<int>(t.cols) - 1}, 0, 0.0, found);
+  all_paths(t, aggregate, {0, 0}, {static_cast<int>(t.rows) - 1, static_cast<int>(t.cols) - 1}, 0, 0.0,
+            found);
   return found;
 }
 
@@ -108,7 +109,8 @@ inline Found closed(const EdgeTable& t, Aggregate aggregate) {
   Found found;
   for (int k = 0; k < static_cast<int>(t.rows); ++k) {
     for (int l = 0; l < static_cast<int>(t.cols); ++l) {
-      all_paths(t, aggregate, {k, l}, {k + static_cast<int>(t.rows), l + static_cast<int>(t.cols)}, 0, 0.0, found);
+      all_paths(t, aggregate, {k, l}, {k + static_cast<int>(t.rows), l + static_cast<int>(t.cols)}, 0, 0.0,
+                found);
     }
   }
   return found;
@@ -117,7 +119,8 @@ inline Found closed(const EdgeTable& t, Aggregate aggregate) {
 inline Found cut(const EdgeTable& t, Aggregate aggregate) {
   Found found;
   for (int k = 0; k < static_cast<int>(t.rows); ++k) {
-    all_paths(t, aggregate, {k, 0}, {k + static_cast<int>(t.rows), static_cast<int>(t.cols) - 1}, 0, 0.0, found);
+    all_paths(t, aggregate, {k, 0}, {k + static_cast<int>(t.rows), static_cast<int>(t.cols) - 1}, 0, 0.0,
+              found);
   }
   return found;
 }

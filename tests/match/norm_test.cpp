@@ -22,7 +22,8 @@ const UserNorm kHeightNorm = [](const NormArguments& x) {
   return NormValue{std::fabs(x.point1[1] - x.point2[1]), x.tangent1[0] * x.tangent2[0] < -0.5};
 };
 
-const Norm kAllNorms[] = {NormKind::tangent, NormKind::ruled, NormKind::distance, NormKind::bottleneck, kHeightNorm};
+const Norm kAllNorms[] = {NormKind::tangent, NormKind::ruled, NormKind::distance, NormKind::bottleneck,
+                          kHeightNorm};
 
 Aggregate aggregate_of(const Norm& norm) {
   return std::holds_alternative<NormKind>(norm) && std::get<NormKind>(norm) == NormKind::bottleneck
@@ -47,8 +48,7 @@ TEST(Norm, TablesHoldTheFormulasOfThePaper) {
       const double dy = a.positions[i][1] - b.positions[j][1];
       const double ipm = t1[0] * t2[0] + t1[1] * t2[1];
       // [C] eq. (6) as printed.
-      const double product =
-          (t1[0] * dy - t1[1] * dx) * (t2[0] * dy - t2[1] * dx) / (dx * dx + dy * dy);
+      const double product = (t1[0] * dy - t1[1] * dx) * (t2[0] * dy - t2[1] * dx) / (dx * dx + dy * dy);
       const std::size_t k = tangent.index(i, j);
       EXPECT_EQ(tangent.invalid[k], ipm < 0.0 ? 1 : 0);
       EXPECT_NEAR(tangent.cost[k], ipm < 0.0 ? 0.0 : 1.0 - ipm, 1e-15);
@@ -101,9 +101,10 @@ TEST(Norm, AntiTwistFormInSpace) {
 
 TEST(Norm, StandstillCarriesNoTangentCost) {
   // Out and back on a line: at the middle the speed is 0 and the direction turns round.
-  const Samples a = sample(Curve::bezier(Points({{0, 0}, {1, 0}, {0, 0}})),
-                           {.count = 3, .sampling = Sampling::parameter});
-  const Samples b = sample(Curve::bezier(Points({{0, 0}, {0, 1}})), {.count = 3, .sampling = Sampling::parameter});
+  const Samples a =
+      sample(Curve::bezier(Points({{0, 0}, {1, 0}, {0, 0}})), {.count = 3, .sampling = Sampling::parameter});
+  const Samples b =
+      sample(Curve::bezier(Points({{0, 0}, {0, 1}})), {.count = 3, .sampling = Sampling::parameter});
   EXPECT_EQ(a.speeds[1], 0.0);
   EXPECT_TRUE(a.corners[1]);
   const NodeTable t = node_costs(a, b, NormKind::tangent);

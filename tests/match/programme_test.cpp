@@ -132,7 +132,8 @@ TEST(ThreeSteps, PaperPenaltySaysTheSameAsTheLexicographicOrder) {
     t.cost.resize(t.rows * t.rows, 0.5);
     t.invalid.resize(t.rows * t.rows, 0);
     // [C]: a cost is at most 1, and the penalty stands in place of an invalid node's own.
-    for (std::size_t k = 0; k < t.cost.size(); ++k) t.cost[k] = t.invalid[k] != 0 ? 0.0 : std::min(t.cost[k], 1.0);
+    for (std::size_t k = 0; k < t.cost.size(); ++k)
+      t.cost[k] = t.invalid[k] != 0 ? 0.0 : std::min(t.cost[k], 1.0);
     const double limit = 2.0 * static_cast<double>(t.rows);
     const Path path = open_path(t);
     EXPECT_EQ(accumulated_costs(t).back() >= limit, path.invalid > 0);
@@ -173,9 +174,11 @@ EdgeTable random_edges(std::mt19937& random, bool rows_cyclic, bool cols_cyclic,
   t.steps = coprime_steps(1 + static_cast<int>(random() % 6));
   const unsigned levels = 1 + random() % 12;
   const unsigned invalid_odds = random() % 4;
+  const bool barred = random() % 2 == 0;
   for (std::size_t k = 0; k < t.rows * t.cols * t.steps.size(); ++k) {
-    t.cost.push_back(static_cast<double>(random() % levels) / 8.0);
-    t.invalid.push_back(invalid_odds != 0 && random() % 4 < invalid_odds ? static_cast<double>(random() % 3) : 0.0);
+    t.cost.push_back(barred && random() % 4 == 0 ? kInfinity : static_cast<double>(random() % levels) / 8.0);
+    t.invalid.push_back(invalid_odds != 0 && random() % 4 < invalid_odds ? static_cast<double>(random() % 3)
+                                                                         : 0.0);
   }
   return t;
 }

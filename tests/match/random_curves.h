@@ -33,12 +33,14 @@ inline Curve closed_curve(std::mt19937& random) {
       points.push_back(again);
       continue;
     }
-    const double angle = 6.283185307179586 * (static_cast<double>(i) + uniform(random, -0.3, 0.3)) / static_cast<double>(n);
+    const double angle =
+        6.283185307179586 * (static_cast<double>(i) + uniform(random, -0.3, 0.3)) / static_cast<double>(n);
     const double radius = uniform(random, 0.5, 2.0);
     points.push_back(std::vector<double>{radius * std::cos(angle), radius * std::sin(angle)});
   }
   std::vector<double> knots;
-  for (std::size_t k = 0; k < n + 3 + 4; ++k) knots.push_back((static_cast<double>(k) - 3.0) / static_cast<double>(n));
+  for (std::size_t k = 0; k < n + 3 + 4; ++k)
+    knots.push_back((static_cast<double>(k) - 3.0) / static_cast<double>(n));
   return Curve(3, std::move(knots), std::move(points));
 }
 

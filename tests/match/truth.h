@@ -12,9 +12,9 @@
 /// Curves whose true correspondence is known: one feature on a straight line, at different places.
 namespace tandem::truth {
 
-/// The graph of `feature` over [0, 10] as a cubic B-spline, the feature moved to start at x = `start` and `width` wide.
-/// Control points stand at the Greville abscissae (x(t) = 10 t exactly), 0.1 apart: moved by multiples of 0.1, the
-/// feature keeps its shape to rounding.
+/// The graph of `feature` over [0, 10] as a cubic B-spline, the feature moved to start at x = `start` and
+/// `width` wide. Control points stand at the Greville abscissae (x(t) = 10 t exactly), 0.1 apart: moved by
+/// multiples of 0.1, the feature keeps its shape to rounding.
 inline Curve feature_line(const std::function<double(double)>& feature, double start, double width) {
   constexpr int spans = 100;
   Points points(2, spans + 3);
@@ -38,8 +38,8 @@ inline Curve bell(double start) {
   return feature_line([](double x) { return 1.5 * std::pow(std::sin(3.14159265358979 * x), 2); }, start, 2.0);
 }
 
-/// RMS distance, in arc length (shares of the whole), between a correspondence and the truth for two feature lines:
-/// the features map onto each other, and so do the straight parts before and behind them.
+/// RMS distance, in arc length (shares of the whole), between a correspondence and the truth for two feature
+/// lines: the features map onto each other, and so do the straight parts before and behind them.
 inline double rms_error(const Curve& a, double start_a, const Curve& b, double start_b, double width,
                         const Correspondence& c) {
   const ArcLength arc_a(a);

@@ -18,8 +18,8 @@ struct ParameterPair {
 /// The monotone path (u(t), v(t)) that puts two curves in step: the symmetric result of a match.
 ///
 /// `points` are in the curves' own domains, u never decreasing, v never decreasing (never increasing when
-/// `reversed`). On closed curves both run on past the end instead of wrapping: the last point is the first plus
-/// (or minus) one period each. Between the points the correspondence is linear.
+/// `reversed`). On closed curves both run on past the end instead of wrapping: the last point is the first
+/// plus (or minus) one period each. Between the points the correspondence is linear.
 struct TANDEM_EXPORT Correspondence {
   std::vector<ParameterPair> points;
   Interval domain_u;
@@ -27,8 +27,8 @@ struct TANDEM_EXPORT Correspondence {
   bool closed = false;
   bool reversed = false;
 
-  /// v that belongs to u, and back. Open: clamped to the domains. Closed: any u; v runs on with it, period by period.
-  /// Where the path stands still the middle of the jump is taken.
+  /// v that belongs to u, and back. Open: clamped to the domains. Closed: any u; v runs on with it, period by
+  /// period. Where the path stands still the middle of the jump is taken.
   [[nodiscard]] double v_at(double u) const;
   [[nodiscard]] double u_at(double v) const;
   /// The same correspondence with the curves exchanged.

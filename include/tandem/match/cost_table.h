@@ -35,8 +35,8 @@ struct Step {
   friend bool operator==(const Step&, const Step&) = default;
 };
 
-/// A node of a path: sample i of the first curve, sample j of the second. On closed curves both may run on past
-/// the last sample instead of wrapping.
+/// A node of a path: sample i of the first curve, sample j of the second. On closed curves both may run on
+/// past the last sample instead of wrapping.
 struct Node {
   int i = 0;
   int j = 0;

@@ -29,7 +29,8 @@ enum class Direction { automatic, forward, reversed };
 
 /// How closed curves are matched (spec C10).
 enum class ClosedMode {
-  automatic,  ///< toroidal when both are closed; one closed against one open: the closed one is cut where it is best
+  automatic,  ///< toroidal when both are closed; one closed against one open: the closed one is cut where it
+              ///< is best
   yes,        ///< toroidal; both must be closed
   no,         ///< both seams stay where they are
   pinned,     ///< the paper's form: shifts of the second curve with both ends pinned
@@ -41,36 +42,37 @@ struct MatchOptions {
   Norm norm = NormKind::tangent;
   /// Nodes per curve; 0: 128 for closed curves and 100 for open ones (paper: 100).
   std::array<int, 2> samples = {0, 0};
-  std::optional<Sampling> sampling;  ///< elastic: arc, paper: parameter
-  FeatureOptions features;
-  ElasticOptions elastic;
+  std::optional<Sampling> sampling = {};  ///< elastic: arc, paper: parameter
+  FeatureOptions features = {};
+  ElasticOptions elastic = {};
   /// elastic: tolerance 1e-3, order 2; paper: 20 coefficients, order 2.
-  std::optional<ReductionOptions> reduction;
+  std::optional<ReductionOptions> reduction = {};
   Direction direction = Direction::automatic;
   ClosedMode closed = ClosedMode::automatic;
-  double corner_angle = 0.05;    ///< see SampleOptions
-  double low_pass = 0.0;         ///< see SampleOptions
-  bool coarse_to_fine = false;   ///< match a quarter of the samples first, then refine near that path: not exact
-  int threads = 0;               ///< 0: all; the result does not depend on it
-  Progress progress;
+  double corner_angle = 0.05;  ///< see SampleOptions
+  double low_pass = 0.0;       ///< see SampleOptions
+  bool coarse_to_fine =
+      false;        ///< match a quarter of the samples first, then refine near that path: not exact
+  int threads = 0;  ///< 0: all; the result does not depend on it
+  Progress progress = {};
 };
 
 /// What was found and how good it is; the fields of `tandem match --json` (docs/interface.md).
 struct MatchReport {
   Method method = Method::elastic;
-  std::string norm;                      ///< "tangent", "ruled", "distance", "bottleneck" or "user"
+  std::string norm;  ///< "tangent", "ruled", "distance", "bottleneck" or "user"
   Sampling sampling = Sampling::arc;
-  std::array<int, 2> samples = {0, 0};   ///< the real number of nodes
-  double cost = 0.0;                     ///< paper: [C] eq. (7) with 2m per invalid node; elastic: the integral
-  double mean_cost = 0.0;                ///< per path node (paper) or per unit of length (elastic)
-  int invalid_nodes = 0;                 ///< the programme's own test, at the path's nodes
-  double invalid_length = 0.0;           ///< the same as a share of the length
-  Validity validity;                     ///< on the final curves, after the fit
+  std::array<int, 2> samples = {0, 0};  ///< the real number of nodes
+  double cost = 0.0;            ///< paper: [C] eq. (7) with 2m per invalid node; elastic: the integral
+  double mean_cost = 0.0;       ///< per path node (paper) or per unit of length (elastic)
+  int invalid_nodes = 0;        ///< the programme's own test, at the path's nodes
+  double invalid_length = 0.0;  ///< the same as a share of the length
+  Validity validity;            ///< on the final curves, after the fit
   Direction direction = Direction::forward;
-  int shift = 0;                         ///< in samples of the second curve
-  std::vector<double> rotation;          ///< cosine and sine (planar), row-major n x n matrix otherwise
-  std::vector<Node> path;                ///< in A's own order; j counts along the reversed second curve if reversed
-  bool exact = true;                     ///< false with coarse_to_fine
+  int shift = 0;                 ///< in samples of the second curve
+  std::vector<double> rotation;  ///< cosine and sine (planar), row-major n x n matrix otherwise
+  std::vector<Node> path;        ///< in A's own order; j counts along the reversed second curve if reversed
+  bool exact = true;             ///< false with coarse_to_fine
   bool cancelled = false;
   struct Seconds {
     double sample = 0.0;
@@ -93,12 +95,13 @@ struct Match {
 /// Finds the best correspondence of b to a.
 ///
 /// Symmetric: match(b, a).correspondence is the inverse of match(a, b).correspondence.
-/// @throws InvalidArgument the dimensions differ, a curve is a point, an open curve where ClosedMode wants closed
+/// @throws InvalidArgument the dimensions differ, a curve is a point, an open curve where ClosedMode wants
+/// closed
 ///         ones, or samples whose ratio the elastic steps cannot bridge
 [[nodiscard]] TANDEM_EXPORT Match match(const Curve& a, const Curve& b, const MatchOptions& options = {});
 
-/// n curves in step (spec C14): match i brings curve i + 1 into step with the already reparametrised curve i, so
-/// that the `curve` of every match runs over curves[0]'s domain. n - 1 matches.
+/// n curves in step (spec C14): match i brings curve i + 1 into step with the already reparametrised curve i,
+/// so that the `curve` of every match runs over curves[0]'s domain. n - 1 matches.
 /// @throws InvalidArgument fewer than two curves, and as match()
 [[nodiscard]] TANDEM_EXPORT std::vector<Match> match_chain(std::span<const Curve> curves,
                                                            const MatchOptions& options = {});

@@ -32,7 +32,8 @@ struct NormValue {
   bool invalid = false;  ///< this pair should be avoided whatever it costs
 };
 
-/// A norm of the caller's own. It must be symmetric in the two curves if match(a, b) and match(b, a) are to agree.
+/// A norm of the caller's own. It must be symmetric in the two curves if match(a, b) and match(b, a) are to
+/// agree.
 using UserNorm = std::function<NormValue(const NormArguments&)>;
 
 using Norm = std::variant<NormKind, UserNorm>;
@@ -47,9 +48,9 @@ struct FeatureOptions {
 };
 
 /// Costs 1 - <T1,T2> (or the norm's) of all pairs of nodes, for the paper's programme: nodes(a) x nodes(b).
-/// Invalid: the norm's value is < 0; such a node costs nothing beside its invalidity ([C] charges a flat 2m for it).
-/// A node of zero speed carries no tangent cost (spec C18).
-/// `sign` is used by NormKind::ruled in the plane.
+/// Invalid: the norm's value is < 0; such a node costs nothing beside its invalidity ([C] charges a flat 2m
+/// for it). A node of zero speed carries no tangent cost (spec C18). `sign` is used by NormKind::ruled in the
+/// plane.
 /// @throws InvalidArgument the dimensions differ, or a user norm's cost is negative or not finite
 [[nodiscard]] TANDEM_EXPORT NodeTable node_costs(const Samples& a, const Samples& b, const Norm& norm,
                                                  const FeatureOptions& features = {},

@@ -10,9 +10,10 @@
 
 /// The dynamic programmes. They see cost tables, never curves or norms (docs/architecture.md, decision 5).
 ///
-/// All orders are lexicographic: first the least invalidity, then the least cost (spec C5). Costs are >= 0; an
-/// infinite one bars the node or edge. A path without nodes means: there is none.
-/// @throws InvalidArgument (all of them) a table whose sizes disagree, or a cost that is negative or not a number
+/// All orders are lexicographic: first the least invalidity, then the least cost (spec C5). Costs are >= 0;
+/// an infinite one bars the node or edge. A path without nodes means: there is none.
+/// @throws InvalidArgument (all of them) a table whose sizes disagree, or a cost that is negative or not a
+/// number
 namespace tandem {
 inline namespace v0 {
 
@@ -26,8 +27,9 @@ enum class Aggregate {
 struct Path {
   std::vector<Node> nodes;
   double cost = 0.0;
-  std::int64_t invalid = 0;  ///< invalid nodes (three steps); invalid length in units of kInvalidQuantum (elastic)
-  bool cancelled = false;    ///< the progress callback said stop; the rest is meaningless
+  std::int64_t invalid =
+      0;  ///< invalid nodes (three steps); invalid length in units of kInvalidQuantum (elastic)
+  bool cancelled = false;  ///< the progress callback said stop; the rest is meaningless
 };
 
 // --- three steps: (1,1), (0,1), (1,0), costs at nodes; [C] eq. (7) ---
@@ -39,26 +41,26 @@ struct Path {
 /// ([C]: 2m, here rows + cols): for figures and comparison.
 [[nodiscard]] TANDEM_EXPORT std::vector<double> accumulated_costs(const NodeTable& table);
 
-/// Optimal closed path over all starts k: (k,0) -> (k + rows, cols) on the doubled grid, the start node counted
-/// once (toroidal form: Fuchs, Kedem, Uselton 1977; spec C10). The first node has 0 <= i < rows, j = 0; the last
-/// is first + (rows, cols).
+/// Optimal closed path over all starts k: (k,0) -> (k + rows, cols) on the doubled grid, the start node
+/// counted once (toroidal form: Fuchs, Kedem, Uselton 1977; spec C10). The first node has 0 <= i < rows, j =
+/// 0; the last is first + (rows, cols).
 [[nodiscard]] TANDEM_EXPORT Path closed_path(const NodeTable& table, Aggregate aggregate = Aggregate::sum,
                                              const Progress& progress = {});
 
-/// The paper's form for closed curves: for every cyclic shift k of the columns the open programme with both ends
-/// pinned, (0,k) -> (rows-1, k + cols-1); the best of all shifts, the smallest on a tie.
+/// The paper's form for closed curves: for every cyclic shift k of the columns the open programme with both
+/// ends pinned, (0,k) -> (rows-1, k + cols-1); the best of all shifts, the smallest on a tie.
 [[nodiscard]] TANDEM_EXPORT Path pinned_path(const NodeTable& table, Aggregate aggregate = Aggregate::sum,
                                              const Progress& progress = {});
 
-/// The rows' loop cut where it fits the open columns best: the optimal path (k,0) -> (k + rows, cols-1) over all k,
-/// both ends counted.
+/// The rows' loop cut where it fits the open columns best: the optimal path (k,0) -> (k + rows, cols-1) over
+/// all k, both ends counted.
 [[nodiscard]] TANDEM_EXPORT Path cut_path(const NodeTable& table, Aggregate aggregate = Aggregate::sum,
                                           const Progress& progress = {});
 
 // --- elastic: steps (a,b), costs at edges ---
 
-/// Unit in which the elastic programme counts invalid length, as a share of the (normalised) length. Whole units
-/// make the lexicographic order independent of rounding.
+/// Unit in which the elastic programme counts invalid length, as a share of the (normalised) length. Whole
+/// units make the lexicographic order independent of rounding.
 inline constexpr double kInvalidQuantum = 1.0 / 4294967296.0;
 
 /// The steps (a,b) with 1 <= a,b <= longest and gcd(a,b) = 1, by a, then b.
@@ -90,8 +92,8 @@ struct EdgeTable {
 [[nodiscard]] TANDEM_EXPORT Path closed_path(const EdgeTable& table, Aggregate aggregate = Aggregate::sum,
                                              const Progress& progress = {});
 
-/// The rows' loop cut where it fits the open columns best: the optimal path (k,0) -> (k + rows, cols-1) over all k,
-/// of a table that is cyclic in its rows only. Exact, likewise.
+/// The rows' loop cut where it fits the open columns best: the optimal path (k,0) -> (k + rows, cols-1) over
+/// all k, of a table that is cyclic in its rows only. Exact, likewise.
 [[nodiscard]] TANDEM_EXPORT Path cut_path(const EdgeTable& table, Aggregate aggregate = Aggregate::sum,
                                           const Progress& progress = {});
 

@@ -13,7 +13,7 @@ inline namespace v0 {
 /// How v(u) is made from a path (spec C7).
 struct ReductionOptions {
   /// Number of coefficients of a uniform-knot least-squares fit ([C]: 20). Empty: by tolerance.
-  std::optional<int> coefficients;
+  std::optional<int> coefficients = {};
   /// Largest |v(u) - path| allowed, as a share of v's domain, when there is no number of coefficients.
   double tolerance = 1e-3;
   /// Order (degree + 1) of v: 2 is piecewise linear.
@@ -22,15 +22,16 @@ struct ReductionOptions {
   double min_slope = 1e-3;
 };
 
-/// v(u): strictly increasing, from the first curve's domain onto the second's (of the reversed second curve when
-/// `reversed`; closed curves: onto one period of it, starting wherever v(lo) lies).
+/// v(u): strictly increasing, from the first curve's domain onto the second's (of the reversed second curve
+/// when `reversed`; closed curves: onto one period of it, starting wherever v(lo) lies).
 struct Reparametrization {
   Curve v;                     ///< a scalar curve, dim 1
   double max_deviation = 0.0;  ///< largest |v(u) - path| over the path's points, as a share of v's domain
   bool reversed = false;
 };
 
-/// A path prepared for the fit: points over one period of u, from domain_u.lo to domain_u.hi, v never decreasing.
+/// A path prepared for the fit: points over one period of u, from domain_u.lo to domain_u.hi, v never
+/// decreasing.
 struct FitPath {
   std::vector<ParameterPair> points;
   std::vector<double> corner_parameters;  ///< u of points that v must pass through exactly (corners)
@@ -43,10 +44,11 @@ struct FitPath {
 
 /// Fits v(u).
 ///
-/// With coefficients: least squares over uniform knots, increments of the control polygon >= min_slope times their
-/// mean and their sum fixed (a constrained least squares: monotone by variation diminishing). By tolerance and
-/// order 2: the fewest vertices of the path, found greedily, corners among them. By tolerance and higher order:
-/// the constrained fit with knots doubled until the tolerance holds (corners become knots of full multiplicity).
+/// With coefficients: least squares over uniform knots, increments of the control polygon >= min_slope times
+/// their mean and their sum fixed (a constrained least squares: monotone by variation diminishing). By
+/// tolerance and order 2: the fewest vertices of the path, found greedily, corners among them. By tolerance
+/// and higher order: the constrained fit with knots doubled until the tolerance holds (corners become knots
+/// of full multiplicity).
 /// @throws InvalidArgument fewer coefficients than the order, order < 2, tolerance <= 0, an empty path
 [[nodiscard]] TANDEM_EXPORT Reparametrization fit(const FitPath& path, const ReductionOptions& options,
                                                   bool reversed = false);
