@@ -1,7 +1,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <span>
 #include <utility>
@@ -23,6 +25,9 @@ constexpr double kFewestSpans = 16.0;
 /// Doubles that must lie between two corners, times the order: else the later one is no break of its own.
 constexpr double kRoomPerCoefficient = 16.0;
 
+/// Width of the least increment of v in doubles: enough that rounding cannot close it.
+constexpr double kDoublesPerIncrement = 4.0;
+
 /// Clamped knots, `spans` of equal length over the domain; empty when doubles cannot tell them apart.
 std::vector<double> uniform_knots(const Interval& domain, std::size_t spans, int degree) {
   std::vector<double> knots(static_cast<std::size_t>(degree) + 1, domain.lo);
@@ -37,11 +42,6 @@ std::vector<double> uniform_knots(const Interval& domain, std::size_t spans, int
   return knots;
 }
 
-bool increasing(const std::vector<double>& values) {
-  const auto not_below = [](double a, double b) { return !(a < b); };
-  return std::adjacent_find(values.begin(), values.end(), not_below) == values.end();
-}
-
 /// The path, or the part of it from one corner to the next.
 struct Part {
   std::span<const double> x;  ///< in the unit square
@@ -49,6 +49,28 @@ struct Part {
   Interval u;
   Interval v;
 };
+
+/// The range with its lower end raised so far that every increment is some doubles wide; but not above the
+/// mean slope.
+SlopeRange with_room(const SlopeRange& range, const Part& part, std::span<const double> shares, int degree,
+                     const Frame& frame) {
+  const double size = std::max(std::abs(part.v.lo), std::abs(part.v.hi));
+  const double unit =
+      kDoublesPerIncrement * std::numeric_limits<double>::epsilon() * size / frame.v().length();
+  double shortest = 1.0;
+  const auto reach = static_cast<std::size_t>(degree);
+  for (std::size_t i = 1; i + reach + 1 < shares.size(); ++i) {
+    shortest = std::min(shortest, (shares[i + reach] - shares[i]) / degree);
+  }
+  const double rise = frame.y(part.v.hi) - frame.y(part.v.lo);
+  const double mean = rise / (shares.back() - shares.front());
+  return {std::max(range.lo, std::min(unit / shortest, mean)), range.hi};
+}
+
+bool increasing(const std::vector<double>& values) {
+  const auto not_below = [](double a, double b) { return !(a < b); };
+  return std::adjacent_find(values.begin(), values.end(), not_below) == values.end();
+}
 
 struct Spline {
   std::vector<double> knots;   ///< in u
@@ -64,8 +86,9 @@ std::optional<Spline> fit_uniform(const Part& part, std::size_t spans, int degre
   std::vector<double> shares;
   shares.reserve(knots.size());
   for (const double knot : knots) shares.push_back(frame.x(knot));
+  const SlopeRange slopes = with_room(range, part, shares, degree, frame);
   ScalarFit fit =
-      fit_scalar_spline(part.x, part.y, shares, degree, frame.y(part.v.lo), frame.y(part.v.hi), range);
+      fit_scalar_spline(part.x, part.y, shares, degree, frame.y(part.v.lo), frame.y(part.v.hi), slopes);
   std::vector<double>& values = fit.coefficients;
   for (double& value : values) value = part.v.clamp(frame.v(value));
   values.front() = part.v.lo;

@@ -17,6 +17,7 @@ class Frame {
       : u_{points.front().u, points.back().u}, v_{points.front().v, points.back().v} {}
 
   [[nodiscard]] const Interval& u() const { return u_; }
+  [[nodiscard]] const Interval& v() const { return v_; }
   [[nodiscard]] double x(double u) const { return (u - u_.lo) / u_.length(); }
   [[nodiscard]] double y(double v) const { return (v - v_.lo) / v_.length(); }
   [[nodiscard]] double u(double x) const { return at(u_, x); }
