@@ -5,6 +5,7 @@
 
 namespace tandem {
 inline namespace v0 {
+namespace detail {
 
 /// The three ways to fit v(u); options and path are checked by fit(). `range`: of the slopes, relative to
 /// their mean.
@@ -22,5 +23,6 @@ inline namespace v0 {
 [[nodiscard]] Reparametrization fit_smooth(const FitPath& path, const ReductionOptions& options,
                                            const SlopeRange& range);
 
+}  // namespace detail
 }  // namespace v0
 }  // namespace tandem

@@ -10,6 +10,7 @@
 
 namespace tandem {
 inline namespace v0 {
+namespace detail {
 namespace {
 
 double polyline_deviation(const std::vector<ParameterPair>& polyline, const Vertices& vertices,
@@ -67,5 +68,6 @@ Reparametrization fit_polyline(const FitPath& path, const ReductionOptions& opti
           polyline_deviation(polyline, vertices, frame), false};
 }
 
+}  // namespace detail
 }  // namespace v0
 }  // namespace tandem

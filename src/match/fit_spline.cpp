@@ -16,6 +16,7 @@
 
 namespace tandem {
 inline namespace v0 {
+namespace detail {
 namespace {
 
 /// Spans at which halving ends, tolerance or not, as a share of the whole domain. A piece between two corners
@@ -193,5 +194,6 @@ Reparametrization fit_smooth(const FitPath& path, const ReductionOptions& option
   return {Curve(options.order - 1, std::move(knots), Points(1, std::move(values))), deviation, false};
 }
 
+}  // namespace detail
 }  // namespace v0
 }  // namespace tandem

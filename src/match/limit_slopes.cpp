@@ -5,6 +5,7 @@
 
 namespace tandem {
 inline namespace v0 {
+namespace detail {
 namespace {
 
 // A function is admissible when every slope lies in the range. The greatest admissible function below y is
@@ -87,5 +88,6 @@ std::vector<double> limit_slopes(std::span<const double> x, std::span<const doub
   return above;
 }
 
+}  // namespace detail
 }  // namespace v0
 }  // namespace tandem

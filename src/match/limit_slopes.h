@@ -6,6 +6,7 @@
 
 namespace tandem {
 inline namespace v0 {
+namespace detail {
 
 /// Slopes that a scalar function may have: 0 < lo <= hi.
 struct SlopeRange {
@@ -27,5 +28,6 @@ struct SlopeRange {
                                                std::span<const double> low, std::span<const double> high,
                                                std::span<const std::size_t> fixed, const SlopeRange& range);
 
+}  // namespace detail
 }  // namespace v0
 }  // namespace tandem

@@ -5,6 +5,7 @@
 
 namespace tandem {
 inline namespace v0 {
+namespace detail {
 namespace {
 
 /// An increment this near to its bound, relative to it, lies on it.
@@ -259,5 +260,6 @@ std::vector<double> solve_unbounded(const MonotoneProblem& problem) {
   return ActiveSet(problem, std::vector<double>(problem.size())).unbounded();
 }
 
+}  // namespace detail
 }  // namespace v0
 }  // namespace tandem

@@ -6,6 +6,7 @@
 
 namespace tandem {
 inline namespace v0 {
+namespace detail {
 
 /// Minimise 1/2 c'Nc - r'c over n coefficients c with c[0] and c[n-1] given and every increment c[i+1] - c[i]
 /// within [lower[i], upper[i]]. N is symmetric, positive definite and banded.
@@ -48,5 +49,6 @@ struct MonotoneSolution {
 /// The minimum without the bounds on the increments.
 [[nodiscard]] std::vector<double> solve_unbounded(const MonotoneProblem& problem);
 
+}  // namespace detail
 }  // namespace v0
 }  // namespace tandem

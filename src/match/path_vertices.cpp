@@ -6,6 +6,7 @@
 
 namespace tandem {
 inline namespace v0 {
+namespace detail {
 namespace {
 
 std::vector<double> pick(const std::vector<double>& values, const std::vector<std::size_t>& indices) {
@@ -78,5 +79,6 @@ std::vector<ParameterPair> without_drowned(const std::vector<ParameterPair>& poi
   return kept;
 }
 
+}  // namespace detail
 }  // namespace v0
 }  // namespace tandem

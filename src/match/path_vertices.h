@@ -9,6 +9,7 @@
 
 namespace tandem {
 inline namespace v0 {
+namespace detail {
 
 /// The unit square that the path fills: there the mean slope is 1, whatever the units of u and v are.
 class Frame {
@@ -59,5 +60,6 @@ struct Vertices {
 [[nodiscard]] std::vector<ParameterPair> without_drowned(const std::vector<ParameterPair>& points,
                                                          double ulps);
 
+}  // namespace detail
 }  // namespace v0
 }  // namespace tandem

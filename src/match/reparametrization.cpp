@@ -66,10 +66,10 @@ void check_path(const std::vector<ParameterPair>& points) {
 Reparametrization fit(const FitPath& path, const ReductionOptions& options, bool reversed) {
   check_options(options);
   check_path(path.points);
-  const SlopeRange range{options.min_slope, 1.0 / options.min_slope};
-  Reparametrization result = options.coefficients ? fit_coefficients(path, options, range)
-                             : options.order == 2 ? fit_polyline(path, options, range)
-                                                  : fit_smooth(path, options, range);
+  const detail::SlopeRange range{options.min_slope, 1.0 / options.min_slope};
+  Reparametrization result = options.coefficients ? detail::fit_coefficients(path, options, range)
+                             : options.order == 2 ? detail::fit_polyline(path, options, range)
+                                                  : detail::fit_smooth(path, options, range);
   result.reversed = reversed;
   return result;
 }

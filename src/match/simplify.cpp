@@ -5,6 +5,7 @@
 
 namespace tandem {
 inline namespace v0 {
+namespace detail {
 
 std::vector<std::size_t> fewest_vertices(std::span<const double> x, std::span<const double> y,
                                          std::span<const double> low, std::span<const double> high) {
@@ -40,5 +41,6 @@ std::vector<std::size_t> fewest_vertices(std::span<const double> x, std::span<co
   return vertices;
 }
 
+}  // namespace detail
 }  // namespace v0
 }  // namespace tandem

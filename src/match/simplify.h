@@ -6,6 +6,7 @@
 
 namespace tandem {
 inline namespace v0 {
+namespace detail {
 
 /// Indices of a polyline's vertices, first and last included, such that the polyline through these alone
 /// stays within [low[i], high[i]] at every x[i]; the fewest there are.
@@ -17,5 +18,6 @@ inline namespace v0 {
                                                        std::span<const double> low,
                                                        std::span<const double> high);
 
+}  // namespace detail
 }  // namespace v0
 }  // namespace tandem

@@ -7,6 +7,7 @@
 
 namespace tandem {
 inline namespace v0 {
+namespace detail {
 namespace {
 
 /// Weight of the pull towards uniform speed, integral of (v' - mean)^2, against the mean of (v - path)^2. Its
@@ -140,5 +141,6 @@ ScalarFit fit_scalar_spline(std::span<const double> x, std::span<const double> y
   return fit;
 }
 
+}  // namespace detail
 }  // namespace v0
 }  // namespace tandem

@@ -8,6 +8,7 @@
 
 namespace tandem {
 inline namespace v0 {
+namespace detail {
 
 /// A scalar spline through (knots.front(), first) and (knots.back(), last), fitted to data.
 struct ScalarFit {
@@ -26,5 +27,6 @@ struct ScalarFit {
                                           std::span<const double> knots, int degree, double first,
                                           double last, const SlopeRange& range);
 
+}  // namespace detail
 }  // namespace v0
 }  // namespace tandem

@@ -8,7 +8,7 @@
 
 #include "match/simplify.h"
 
-namespace tandem {
+namespace tandem::detail {
 namespace {
 
 struct Data {
@@ -163,4 +163,4 @@ TEST(FewestVertices, NeedsTwoForALine) {
 }
 
 }  // namespace
-}  // namespace tandem
+}  // namespace tandem::detail

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace tandem {
+namespace tandem::detail {
 namespace {
 
 double objective(const MonotoneProblem& problem, const std::vector<double>& c) {
@@ -230,4 +230,4 @@ TEST(MonotoneLeastSquares, PoolsALongStepDown) {
 }
 
 }  // namespace
-}  // namespace tandem
+}  // namespace tandem::detail

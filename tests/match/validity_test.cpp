@@ -1,0 +1,255 @@
+#include "tandem/match/validity.h"
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "tandem/curve/edit.h"
+#include "tandem/error.h"
+
+namespace tandem {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+
+Curve segment(double x0, double y0, double x1, double y1) {
+  return Curve::bezier({{x0, y0}, {x1, y1}});
+}
+
+/// Two unit steps: first along `heading`, then turned by `turn`, both in degrees.
+Curve elbow(double heading, double turn) {
+  const double a = heading * kDegree;
+  const double b = (heading + turn) * kDegree;
+  const double x = std::cos(a);
+  const double y = std::sin(a);
+  return Curve(1, {0, 0, 0.5, 1, 1}, {{0, 0}, {x, y}, {x + std::cos(b), y + std::sin(b)}});
+}
+
+TEST(Validity, IsTheCosineForTwoSegments) {
+  for (const double angle : {0.0, 10.0, 60.0, 89.0, 91.0, 120.0, 180.0}) {
+    const Curve a = segment(1, 2, 4, 2);
+    const Curve b = segment(0, 0, std::cos(angle * kDegree), std::sin(angle * kDegree));
+    const Validity validity = check_validity(a, b);
+    EXPECT_NEAR(validity.min_dot, std::cos(angle * kDegree), 1e-14);
+    EXPECT_NEAR(validity.mean_dot, std::cos(angle * kDegree), 1e-14);
+    EXPECT_EQ(validity.valid, angle < 90.0);
+    EXPECT_EQ(validity.valid_share, angle < 90.0 ? 1.0 : 0.0);
+  }
+}
+
+TEST(Validity, FindsTheInvalidPart) {
+  // Quarter circle (heading 90 .. 180 degrees) against a line at 30 degrees: valid up to heading 120, a
+  // third.
+  const double w = std::sqrt(0.5);
+  const Curve arc = Curve::bezier({{1, 0}, {1, 1}, {0, 1}}, {1, w, 1});
+  const Curve line = segment(0, 0, std::cos(30 * kDegree), std::sin(30 * kDegree));
+  const Validity validity = check_validity(arc, line);
+  EXPECT_FALSE(validity.valid);
+  EXPECT_NEAR(validity.min_dot, std::cos(150 * kDegree), 1e-14);
+  EXPECT_EQ(validity.worst_u, 1.0);
+  // Mean of both lengths' shares: of the arc's a third, of the line's the parameter there. The arc's speed is
+  // not uniform: at heading h from its start (0 .. 90), u is the root of tan(h / 2) = ... ; taken from the
+  // curve itself.
+  double lo = 0.0;
+  double hi = 1.0;
+  for (int i = 0; i < 60; ++i) {
+    const double u = 0.5 * (lo + hi);
+    const Points d = arc.derivatives(u, 1);
+    (std::atan2(d[1][1], d[1][0]) < 120 * kDegree ? lo : hi) = u;
+  }
+  EXPECT_NEAR(validity.valid_share, 0.5 * (1.0 / 3.0 + lo), 2e-3);
+}
+
+TEST(Validity, SharpensTheMinimum) {
+  // <T1,T2> of a parabola and a line: the least value lies where the parabola is steepest against it.
+  const Curve bump(3, {0, 0, 0, 0, 1, 1, 1, 1}, {{0, 0}, {0.3, 1.7}, {0.8, -1.5}, {1, 0}});
+  const Curve line = segment(0, 0, 1, 0);
+  double least = 1.0;
+  for (int i = 0; i <= 1000000; ++i) {
+    const double t = i / 1e6;
+    const double s = 1 - t;
+    const double dx = 3 * (s * s * 0.3 + 2 * s * t * 0.5 + t * t * 0.2);
+    const double dy = 3 * (s * s * 1.7 + 2 * s * t * -3.2 + t * t * 1.5);
+    least = std::min(least, dx / std::sqrt(dx * dx + dy * dy));
+  }
+  EXPECT_NEAR(check_validity(bump, line).min_dot, least, 1e-9);
+}
+
+TEST(Validity, SeesBothSidesOfCorners) {
+  const Curve a = elbow(0, 0);
+  EXPECT_NEAR(check_validity(a, elbow(20, 50)).min_dot, std::cos(70 * kDegree), 1e-14);
+  EXPECT_NEAR(check_validity(a, elbow(-80, 100)).min_dot, std::cos(80 * kDegree), 1e-14);
+  EXPECT_FALSE(check_validity(a, elbow(0, 91)).valid);
+}
+
+TEST(Validity, RefusesACornerThatBacktracksInBetween) {
+  // Spec C13: turns of +170 and -170 degrees, with equal tangents before.
+  const Validity validity = check_validity(elbow(0, 170), elbow(0, -170));
+  EXPECT_FALSE(validity.valid);
+  EXPECT_NEAR(validity.min_dot, std::cos(20 * kDegree), 1e-14);
+  EXPECT_EQ(validity.valid_share, 1.0);
+  EXPECT_TRUE(check_validity(elbow(0, 170), elbow(0, 175)).valid);
+  EXPECT_TRUE(check_validity(elbow(0, 170), elbow(3, 150)).valid);
+  EXPECT_TRUE(check_validity(elbow(-5, 179), elbow(5, 179)).valid);
+  // Turned in the other sense as well.
+  EXPECT_FALSE(check_validity(elbow(0, -170), elbow(0, 170)).valid);
+  EXPECT_FALSE(check_validity(elbow(40, -100), elbow(-40, -115 + 360)).valid);
+}
+
+TEST(Validity, AcceptsEqualCusps) {
+  const Curve cusp = elbow(0, 180);
+  EXPECT_TRUE(check_validity(cusp, cusp).valid);
+  EXPECT_TRUE(check_validity(cusp, elbow(0, 170)).valid);
+  EXPECT_TRUE(check_validity(cusp, elbow(0, -170)).valid);
+  EXPECT_TRUE(check_validity(elbow(0, -170), cusp).valid);
+}
+
+TEST(Validity, LooksAtTheSeamOfClosedCurves) {
+  // Triangles whose only sharp corner is the seam, bent to either side.
+  const auto loop = [](double sign) {
+    return Curve(1, {0, 0, 1, 2, 3, 3}, {{0, 0}, {1, 0}, {1, sign * 0.1}, {0, 0}});
+  };
+  EXPECT_FALSE(check_validity(loop(1), loop(-1)).valid);
+  EXPECT_TRUE(check_validity(loop(1), loop(1)).valid);
+}
+
+TEST(Validity, TakesLimitsWhereTheSpeedIsZero) {
+  // A cubic with a zero first handle starts towards its third control point, one with a zero last handle ends
+  // away from its second.
+  const Curve zero_handles = Curve::bezier({{0, 0}, {0, 0}, {1, 0}, {1, 0}});
+  const Validity straight = check_validity(zero_handles, segment(0, 0, 3, 0));
+  EXPECT_TRUE(straight.valid);
+  EXPECT_NEAR(straight.min_dot, 1.0, 1e-14);
+  const Curve bent = Curve::bezier({{0, 0}, {0, 0}, {1, 1}, {1, 0}});
+  EXPECT_NEAR(check_validity(bent, segment(0, 0, 0, -1)).min_dot, -std::sqrt(0.5), 1e-9);
+  const Curve arriving = Curve::bezier({{0, 0}, {0, 1}, {1, 1}, {1, 1}});
+  EXPECT_NEAR(check_validity(arriving, segment(0, 0, 1, 0)).min_dot, 0.0, 1e-12);
+  EXPECT_NEAR(check_validity(arriving, segment(0, 0, 0, 1)).min_dot, 0.0, 1e-12);
+}
+
+TEST(Validity, FindsACuspInsideASpan) {
+  // x = (t - 1/3)^2, y = (t - 1/3)^3: the tangent flips at t = 1/3, between any dyadic samples.
+  const Curve cusp = [] {
+    const double c = 1.0 / 3.0;
+    const double x[] = {c * c, c * c - c, (1 - c) * (1 - c)};  // quadratic: t^2 - 2ct + c^2
+    const double y0 = -c * c * c;
+    const double y1 = y0 + c * c;
+    const double y2 = y0 + 2 * c * c - c;
+    const double y3 = (1 - c) * (1 - c) * (1 - c);
+    return Curve::bezier({{x[0], y0}, {(x[0] + 2 * x[1]) / 3, y1}, {(2 * x[1] + x[2]) / 3, y2}, {x[2], y3}});
+  }();
+  const Validity validity = check_validity(cusp, segment(0, 0, 1, 0));
+  EXPECT_FALSE(validity.valid);
+  EXPECT_LT(validity.min_dot, -0.99);
+  EXPECT_GT(validity.valid_share, 0.5);
+}
+
+TEST(Validity, FindsANarrowNearCusp) {
+  // Nearly a cusp: within a hundredth of the span the tangent turns by nearly half a circle.
+  const double h = 1e-4;
+  const double c = 0.37;
+  // x = (t - c)^2, y' = small at c: y = (t - c)^3 + h t.
+  const auto point = [&](double t) {
+    return std::array<double, 2>{(t - c) * (t - c), (t - c) * (t - c) * (t - c) + h * t};
+  };
+  const auto slope = [&](double t) { return std::array<double, 2>{2 * (t - c), 3 * (t - c) * (t - c) + h}; };
+  const auto p0 = point(0), p3 = point(1), d0 = slope(0), d1 = slope(1);
+  const Curve curve = Curve::bezier({{p0[0], p0[1]},
+                                     {p0[0] + d0[0] / 3, p0[1] + d0[1] / 3},
+                                     {p3[0] - d1[0] / 3, p3[1] - d1[1] / 3},
+                                     {p3[0], p3[1]}});
+  // Against a copy of itself whose own flip comes a little later it is opposite in between, for 1/500 of the
+  // span.
+  const Validity validity = check_validity(curve, reverse(reverse(curve)));
+  EXPECT_TRUE(validity.valid);
+  const double e = c + 0.002;
+  const auto later = [&](double t) {
+    return std::array<double, 2>{(t - e) * (t - e), (t - e) * (t - e) * (t - e) + h * t};
+  };
+  const auto later_slope = [&](double t) {
+    return std::array<double, 2>{2 * (t - e), 3 * (t - e) * (t - e) + h};
+  };
+  const auto q0 = later(0), q3 = later(1), e0 = later_slope(0), e1 = later_slope(1);
+  const Curve other = Curve::bezier({{q0[0], q0[1]},
+                                     {q0[0] + e0[0] / 3, q0[1] + e0[1] / 3},
+                                     {q3[0] - e1[0] / 3, q3[1] - e1[1] / 3},
+                                     {q3[0], q3[1]}});
+  EXPECT_FALSE(check_validity(curve, other).valid);
+}
+
+TEST(Validity, StandsStillWithoutHarm) {
+  // A span without length has no tangent and contradicts nothing (spec C18).
+  const Curve pause(1, {0, 0, 1, 2, 3, 3}, {{0, 0}, {1, 0}, {1, 0}, {2, 0}});
+  const Curve moving(1, {0, 0, 1, 2, 3, 3}, {{0, 0}, {1, 0}, {1, 1}, {2, 1}});
+  const Validity validity = check_validity(pause, moving);
+  EXPECT_TRUE(validity.valid);
+  EXPECT_EQ(validity.min_dot, 1.0);
+  const Curve point = Curve::bezier({{1, 1}, {1, 1}});
+  EXPECT_TRUE(check_validity(point, point).valid);
+  EXPECT_EQ(check_validity(point, segment(0, 0, 1, 0)).mean_dot, 1.0);
+}
+
+TEST(Validity, RuledNormUsesOneSign) {
+  // Parallel lines, the second one above: fine, from either side. Crossing over: not, although the product
+  // stays positive on both sides of the crossing.
+  const Curve low = segment(0, 0, 1, 0);
+  const Curve high = segment(0, 1, 1, 1);
+  EXPECT_TRUE(check_validity(low, high, NormKind::ruled).valid);
+  EXPECT_TRUE(check_validity(high, low, NormKind::ruled).valid);
+  EXPECT_NEAR(check_validity(low, high, NormKind::ruled).min_dot, 1.0, 1e-14);
+  const Curve crossing = segment(0, 1, 1, -1);
+  const Validity validity = check_validity(low, crossing, NormKind::ruled);
+  EXPECT_FALSE(validity.valid);
+  EXPECT_NEAR(validity.valid_share, 0.5, 1e-2);
+}
+
+TEST(Validity, RuledNormCanBeValidWhereTangentsAreNot) {
+  // Spec C13: (4) > 0 and (3) < 0. Lines that lean away from the chord to opposite sides.
+  const Curve a = Curve::bezier({{0, 0}, {0.1, 1}});
+  const Curve b = Curve::bezier({{5, 0}, {5.5, 0.2}});
+  EXPECT_TRUE(check_validity(a, b, NormKind::ruled).valid);
+  const Curve c = Curve::bezier({{0, 0}, {-1, 0.5}});
+  const Curve d = Curve::bezier({{5, 0}, {6, 0.5}});
+  EXPECT_TRUE(check_validity(c, d, NormKind::ruled).valid);
+  EXPECT_FALSE(check_validity(c, d, NormKind::tangent).valid);
+}
+
+TEST(Validity, RuledNormInSpaceMeasuresTwist) {
+  // Tangents at right angles to the chord, twisted by 60 degrees against each other.
+  const Curve a = Curve::bezier({{0, 0, 0}, {1e-3, 0, 0}});
+  const Curve b = Curve::bezier({{0, 0, 1}, {0.5e-3, std::sqrt(0.75) * 1e-3, 1}});
+  EXPECT_NEAR(check_validity(a, b, NormKind::ruled).min_dot, 0.5, 1e-5);
+  EXPECT_NEAR(check_validity(a, a, NormKind::ruled).min_dot, 1.0, 1e-14);
+}
+
+TEST(Validity, DoesNotDependOnSize) {
+  for (const double size : {1e-300, 1e-150, 1.0, 1e150, 1e300}) {
+    const auto scaled = [size](const Curve& curve) {
+      Points points = curve.control_points();
+      for (double& x : points.data()) x *= size;
+      return Curve(curve.degree(), curve.knots(), points);
+    };
+    const Curve a = Curve::bezier({{0, 0}, {0.3, 0.4}, {0.8, 0.1}, {1, 0}});
+    const Curve b = Curve::bezier({{0, 0.2}, {0.3, 0.1}, {0.8, 0.1}, {1, 0.3}});
+    for (const NormKind norm : {NormKind::tangent, NormKind::ruled}) {
+      const Validity plain = check_validity(a, b, norm);
+      const Validity big = check_validity(scaled(a), scaled(b), norm);
+      EXPECT_EQ(plain.valid, big.valid);
+      EXPECT_NEAR(plain.min_dot, big.min_dot, 1e-9);
+      EXPECT_NEAR(plain.mean_dot, big.mean_dot, 1e-9);
+      EXPECT_NEAR(plain.valid_share, big.valid_share, 1e-9);
+    }
+  }
+}
+
+TEST(Validity, SaysWhatIsWrong) {
+  const Curve a = segment(0, 0, 1, 0);
+  const Curve space = Curve::bezier({{0, 0, 0}, {1, 0, 0}});
+  EXPECT_THROW((void)check_validity(a, space), InvalidArgument);
+  EXPECT_THROW((void)check_validity(a, with_domain(a, {0, 2})), InvalidArgument);
+}
+
+}  // namespace
+}  // namespace tandem
