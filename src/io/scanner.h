@@ -34,7 +34,7 @@ class Scanner {
   double number(std::string_view what);
   /// A single 0 or 1, which needs nothing between itself and what follows.
   bool flag(std::string_view what);
-  /// Letters, digits and minus signs, as function names and units are made of; may be empty.
+  /// Letters and digits, as function names and units are made of; may be empty.
   std::string_view word() noexcept;
 
   /// "expected <what>, found 'x'".

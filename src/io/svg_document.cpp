@@ -69,7 +69,10 @@ bool ends_with(std::string_view text, std::string_view end) {
   return text.size() >= end.size() && text.substr(text.size() - end.size()) == end;
 }
 
-/// Looks up the namespace of candidates only: that walks up the tree.
+/// Deeper down nothing is drawn, and looking up namespaces, which walks up the tree, would take quadratic
+/// time.
+constexpr std::size_t kDeepestStyle = 256;
+
 bool is_style(const pugi::xml_node& node) {
   return ends_with(node.name(), "style") && SvgDocument::name(node) == "style";
 }
@@ -129,14 +132,16 @@ void SvgDocument::fail(const pugi::xml_node& node, const char* attribute, const 
 }
 
 void SvgDocument::index_elements() {
+  std::size_t depth = 0;
   for (pugi::xml_node node = root_; node;) {
     if (const pugi::xml_attribute id = node.attribute("id")) ids_.emplace(id.value(), node);
-    if (is_style(node)) styles_.push_back(node);
+    if (depth <= kDeepestStyle && is_style(node)) styles_.push_back(node);
     if (node.first_child()) {
       node = node.first_child();
+      ++depth;
       continue;
     }
-    while (node && node != root_ && !node.next_sibling()) node = node.parent();
+    for (; node != root_ && !node.next_sibling(); --depth) node = node.parent();
     node = node == root_ ? pugi::xml_node() : node.next_sibling();
   }
 }

@@ -294,7 +294,9 @@ Shape merge(const std::vector<SvgElement>& elements) {
 std::vector<SvgElement> parse_svg(std::string_view text, const std::string& source) {
   const SvgDocument document(text, source);
   std::vector<SvgElement> elements = SvgReader(document, std::nullopt).read();
-  if (elements.empty()) document.fail("there is nothing drawable in it");
+  if (elements.empty()) {
+    document.fail("there is nothing drawable in it; of a set of symbols, name one: FILE.svg#ID");
+  }
   return elements;
 }
 
