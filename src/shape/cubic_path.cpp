@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "shape/cubic_fit.h"
 #include "shape/third.h"
 #include "tandem/error.h"
 
@@ -55,6 +56,19 @@ Curve to_curve(const CubicPath& path) {
   for (std::size_t i = 0; i <= k; ++i) knots.insert(knots.end(), 3, static_cast<double>(i));
   knots.push_back(static_cast<double>(k));
   return Curve(3, std::move(knots), path.control_points());
+}
+
+CubicPath to_cubic_path(const Curve& curve, double tolerance) {
+  if (!(tolerance > 0.0)) {
+    throw InvalidArgument(fmt::format("to_cubic_path: tolerance is {}, expected > 0", tolerance));
+  }
+  Points points = std::move(cubic_control_points({&curve, 1}, tolerance).front());
+  const bool closed = curve.is_closed();
+  if (closed) {  // its ends meet up to rounding only
+    const auto front = std::as_const(points).front();
+    std::copy(front.begin(), front.end(), points[points.size() - 1].begin());
+  }
+  return CubicPath(std::move(points), closed);
 }
 
 }  // namespace v0

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 #include "tandem/error.h"
@@ -41,6 +42,58 @@ TEST(CubicPath, IsTheSameCurveWithTripleKnots) {
   const Point middle = curve.evaluate(1.5);
   EXPECT_NEAR(middle[0], (3 + 3 * 4 + 3 * 6 + 8) / 8.0, 1e-15);
   EXPECT_NEAR(middle[1], (3 + 3 * 0 + 3 * 1 + 8) / 8.0, 1e-15);
+}
+
+TEST(CubicPath, TakesCurvesOfLowDegreeExactly) {
+  for (int degree = 1; degree <= 3; ++degree) {
+    const Curve curve =
+        Curve::clamped_uniform(degree, Points({{0, 0}, {2, 5}, {5, 5}, {8, 1}, {9, -3}, {4, -5}}));
+    const CubicPath path = to_cubic_path(curve, 1e-3);
+    const Curve drawn = to_curve(path);
+    EXPECT_FALSE(path.is_closed());
+    EXPECT_EQ(path.segment_count(), 6u - static_cast<std::size_t>(degree));
+    const double spans = static_cast<double>(path.segment_count());
+    for (int i = 0; i <= 100; ++i) {
+      const Point p = curve.evaluate(i / 100.0);
+      const Point q = drawn.evaluate(i / 100.0 * spans);
+      EXPECT_NEAR(p[0], q[0], 1e-14);
+      EXPECT_NEAR(p[1], q[1], 1e-14);
+    }
+    for (std::size_t k = 0; degree == 1 && k < path.segment_count(); ++k) EXPECT_TRUE(path.is_line(k, 1e-15));
+  }
+}
+
+TEST(CubicPath, FollowsOtherCurvesWithinTheTolerance) {
+  const double w = std::sqrt(0.5);
+  const Curve quarter = Curve::bezier(Points({{1, 0}, {1, 1}, {0, 1}}), {1, w, 1});
+  const Curve quintic = Curve::bezier(Points({{0, 0}, {3, 9}, {-4, 2}, {7, -8}, {1, 1}, {5, 5}}));
+  std::size_t segments = 0;
+  for (const double tolerance : {1e-2, 1e-4, 1e-6, 1e-8}) {
+    const CubicPath arc = to_cubic_path(quarter, tolerance);
+    for (int i = 0; i <= 1000; ++i) {
+      const Point p = to_curve(arc).evaluate(i / 1000.0 * static_cast<double>(arc.segment_count()));
+      EXPECT_NEAR(std::sqrt(p[0] * p[0] + p[1] * p[1]), 1.0, tolerance);
+    }
+    const CubicPath wave = to_cubic_path(quintic, tolerance);
+    EXPECT_GT(wave.segment_count(), segments);
+    segments = wave.segment_count();
+    EXPECT_EQ(wave.control_points().back()[0], 5.0);
+  }
+  EXPECT_LE(segments, 512u);
+  EXPECT_THROW((void)to_cubic_path(quintic, 0.0), InvalidArgument);
+}
+
+TEST(CubicPath, ClosedCurvesBecomeClosedPaths) {
+  const Curve loop = Curve::bezier(Points({{0, 0}, {3, 0}, {3, 3}, {0, 3}, {1e-13, -1e-13}}));
+  ASSERT_TRUE(loop.is_closed());
+  EXPECT_TRUE(to_cubic_path(loop, 1e-4).is_closed());
+}
+
+TEST(CubicPath, EndsOnHostileWeights) {
+  const Curve sharp = Curve::bezier(Points({{0, 0}, {1, 1}, {2, 0}}), {1, 1e-12, 1e12});
+  EXPECT_LE(to_cubic_path(sharp, 1e-12).segment_count(), 65536u);
+  const Curve far = Curve::bezier(Points({{1e9, 0}, {1e9 + 1, 1}, {1e9, 2}}), {1, 2, 1});
+  EXPECT_LE(to_cubic_path(far, 1e-12).segment_count(), 64u);
 }
 
 TEST(Shape, CollectsPathsAndTheirBox) {
