@@ -13,7 +13,7 @@ namespace tandem {
 inline namespace v0 {
 
 struct MorphOptions {
-  MatchOptions match = {};
+  MatchOptions match;
 };
 
 /// A morph through n key shapes: matching happens once, in the constructor; at(s) only blends.
@@ -33,6 +33,8 @@ class TANDEM_EXPORT Morph {
   [[nodiscard]] Shape at(double s) const;
 
   [[nodiscard]] std::size_t key_count() const noexcept { return key_count_; }
+  /// The first key's.
+  [[nodiscard]] FillRule fill_rule() const noexcept { return fill_rule_; }
   [[nodiscard]] std::size_t contour_count() const noexcept { return contours_.size(); }
   /// The compatible curves of one contour, one per key, over one domain.
   [[nodiscard]] std::span<const Curve> keys(std::size_t contour) const noexcept { return contours_[contour]; }

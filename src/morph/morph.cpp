@@ -1,0 +1,128 @@
+#include "tandem/morph/morph.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "morph/in_step.h"
+#include "tandem/curve/compatible.h"
+#include "tandem/curve/edit.h"
+#include "tandem/error.h"
+
+namespace tandem {
+inline namespace v0 {
+namespace {
+
+void check_keys(std::span<const Shape> keys) {
+  if (keys.size() < 2) {
+    throw InvalidArgument(fmt::format("morph: {} key shapes, expected at least 2", keys.size()));
+  }
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    if (keys[i].contours.empty()) throw InvalidArgument(fmt::format("morph: key {} has no contours", i));
+    for (std::size_t c = 0; c < keys[i].contours.size(); ++c) {
+      const int dim = keys[i].contours[c].dim();
+      if (dim != keys[0].dim()) {
+        throw InvalidArgument(
+            fmt::format("morph: contour {} of key {} has dimension {}, expected {} as in key 0", c, i, dim,
+                        keys[0].dim()));
+      }
+    }
+  }
+}
+
+std::size_t most_contours(std::span<const Shape> keys) {
+  std::size_t most = 0;
+  for (const Shape& key : keys) most = std::max(most, key.contours.size());
+  return most;
+}
+
+std::vector<const Curve*> sources(std::span<const Shape> keys, std::size_t contour) {
+  std::vector<const Curve*> curves;
+  for (const Shape& key : keys) {
+    curves.push_back(contour < key.contours.size() ? &key.contours[contour] : nullptr);
+  }
+  return curves;
+}
+
+// The whole work's progress from that of one match of `total`.
+Progress share_of(const Progress& progress, std::size_t done, std::size_t total) {
+  if (!progress) return {};
+  return [progress, done, total](double fraction) {
+    return progress((static_cast<double>(done) + fraction) / static_cast<double>(total));
+  };
+}
+
+}  // namespace
+
+Morph::Morph(std::span<const Shape> keys, const MorphOptions& options) : key_count_(keys.size()) {
+  check_keys(keys);
+  fill_rule_ = keys.front().fill_rule;
+  const std::size_t count = most_contours(keys);
+  const std::size_t pairs = key_count_ - 1;
+  matches_.assign(pairs, std::vector<std::optional<Match>>(count));
+  for (std::size_t c = 0; c < count; ++c) {
+    const auto progress_of = [&](std::size_t key) {
+      return share_of(options.match.progress, c * pairs + key, count * pairs);
+    };
+    InStep in_step = put_in_step(sources(keys, c), c, options.match, progress_of);
+    if (in_step.cancelled) {
+      cancelled_ = true;
+      return;
+    }
+    contours_.push_back(std::move(in_step.curves));
+    for (std::size_t key = 0; key < pairs; ++key) matches_[key][c] = std::move(in_step.matches[key]);
+  }
+}
+
+Morph::Morph(const Curve& a, const Curve& b, const Match& match) : key_count_(2) {
+  if (a.dim() != b.dim()) {
+    throw InvalidArgument(
+        fmt::format("morph: the curves have dimensions {} and {}, expected one", a.dim(), b.dim()));
+  }
+  const Interval domain = match.curve.domain();
+  const Curve moved = domain == a.domain() ? a : move_seam(a, domain.lo);
+  const std::vector<Curve> pair{moved, match.curve};
+  contours_.push_back(with_common_denominator(pair));
+  matches_.emplace_back(1, match);
+}
+
+Shape Morph::at(double s) const {
+  const auto [key, local] = locate_key(s, key_count_);
+  Shape shape;
+  shape.fill_rule = fill_rule_;
+  shape.contours.reserve(contours_.size());
+  for (const std::vector<Curve>& curves : contours_) {
+    const Curve& a = curves[key];
+    const Curve& b = curves[key + 1];
+    // At the keys themselves the products below would be exact as well, but for the sign of zero.
+    if (local == 0.0 || local == 1.0) {
+      shape.contours.push_back(local == 0.0 ? a : b);
+      continue;
+    }
+    Points points = a.control_points();
+    const std::span<double> blend = points.data();
+    const std::span<const double> other = b.control_points().data();
+    for (std::size_t i = 0; i < blend.size(); ++i) blend[i] = (1.0 - local) * blend[i] + local * other[i];
+    shape.contours.emplace_back(a.degree(), a.knots(), std::move(points), a.weights());
+  }
+  return shape;
+}
+
+KeyPosition locate_key(double s, std::size_t key_count) {
+  if (key_count < 2) {
+    throw InvalidArgument(fmt::format("morph: {} keys, expected at least 2", key_count));
+  }
+  if (!std::isfinite(s)) throw InvalidArgument(fmt::format("morph: s is {}, expected a finite number", s));
+  const double last = static_cast<double>(key_count - 1);
+  double x = s * last;
+  // i / last * last may miss i by a rounding; a key's own s must give the key.
+  const double nearest = std::round(x);
+  if (nearest / last == s) x = nearest;
+  const double key = std::clamp(std::floor(x), 0.0, last - 1.0);
+  return {static_cast<std::size_t>(key), x - key};
+}
+
+}  // namespace v0
+}  // namespace tandem

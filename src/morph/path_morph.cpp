@@ -1,0 +1,112 @@
+#include "tandem/morph/path_morph.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+#include "shape/cubic_fit.h"
+#include "tandem/error.h"
+
+namespace tandem {
+inline namespace v0 {
+namespace {
+
+// How far a line's handles may stand off the thirds, as a share of the diagonal: the same bound by which ends
+// count as meeting, well above rounding and far below anything drawn.
+constexpr double kLineTolerance = 1e-9;
+
+bool is_point(std::span<const Points> keys, std::size_t segment) {
+  for (const Points& points : keys) {
+    const auto first = points[3 * segment];
+    for (std::size_t i = 3 * segment + 1; i <= 3 * segment + 3; ++i) {
+      if (!std::equal(first.begin(), first.end(), points[i].begin())) return false;
+    }
+  }
+  return true;
+}
+
+// Without the segments that are a point in every key; one is always left.
+std::vector<Points> without_points(std::vector<Points> keys) {
+  const std::size_t count = (keys.front().size() - 1) / 3;
+  std::vector<std::size_t> kept;
+  for (std::size_t k = 0; k < count; ++k) {
+    if (!is_point(keys, k)) kept.push_back(k);
+  }
+  if (kept.size() == count) return keys;
+  if (kept.empty()) kept.push_back(0);
+  for (Points& points : keys) {
+    Points rest;
+    rest.push_back(std::as_const(points).front());
+    for (std::size_t k : kept) {
+      for (std::size_t i = 3 * k + 1; i <= 3 * k + 3; ++i) rest.push_back(std::as_const(points)[i]);
+    }
+    points = std::move(rest);
+  }
+  return keys;
+}
+
+PathContour to_contour(std::span<const Curve> curves, double tolerance, double line_tolerance) {
+  std::vector<Points> keys = without_points(cubic_control_points(curves, tolerance));
+  // A contour collapsed to a point is no reason to leave the others open, nor to close them.
+  const bool closed = std::all_of(curves.begin(), curves.end(),
+                                  [](const Curve& c) { return c.is_closed() || c.extent() == 0.0; }) &&
+                      std::any_of(curves.begin(), curves.end(), [](const Curve& c) { return c.is_closed(); });
+  PathContour contour;
+  for (Points& points : keys) {
+    if (closed) {  // the ends meet up to rounding only
+      const auto front = std::as_const(points).front();
+      std::copy(front.begin(), front.end(), points[points.size() - 1].begin());
+    }
+    contour.keys.emplace_back(std::move(points), closed);
+  }
+  for (std::size_t k = 0; k < contour.keys.front().segment_count(); ++k) {
+    contour.lines.push_back(std::all_of(contour.keys.begin(), contour.keys.end(), [&](const CubicPath& path) {
+      return path.is_line(k, line_tolerance);
+    }));
+  }
+  return contour;
+}
+
+}  // namespace
+
+PathMorph::PathMorph(const Morph& morph, double tolerance)
+    : key_count_(morph.key_count()), fill_rule_(morph.fill_rule()) {
+  for (std::size_t c = 0; c < morph.contour_count(); ++c) {
+    for (const Curve& curve : morph.keys(c)) {
+      if (curve.dim() != 2) {
+        throw InvalidArgument(
+            fmt::format("path morph: the shapes have dimension {}, expected 2", curve.dim()));
+      }
+      box_.include(bounding_box(curve));
+    }
+  }
+  const double diagonal = box_.diagonal();
+  for (std::size_t c = 0; c < morph.contour_count(); ++c) {
+    contours_.push_back(to_contour(morph.keys(c), tolerance * diagonal, kLineTolerance * diagonal));
+  }
+}
+
+std::vector<CubicPath> PathMorph::at(double s) const {
+  const auto [key, local] = locate_key(s, key_count_);
+  std::vector<CubicPath> paths;
+  paths.reserve(contours_.size());
+  for (const PathContour& contour : contours_) {
+    const CubicPath& a = contour.keys[key];
+    const CubicPath& b = contour.keys[key + 1];
+    if (local == 0.0 || local == 1.0) {
+      paths.push_back(local == 0.0 ? a : b);
+      continue;
+    }
+    Points points = a.control_points();
+    const std::span<double> blend = points.data();
+    const std::span<const double> other = b.control_points().data();
+    for (std::size_t i = 0; i < blend.size(); ++i) blend[i] = (1.0 - local) * blend[i] + local * other[i];
+    paths.emplace_back(std::move(points), a.is_closed());
+  }
+  return paths;
+}
+
+}  // namespace v0
+}  // namespace tandem
