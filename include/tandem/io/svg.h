@@ -12,7 +12,8 @@
 namespace tandem {
 inline namespace v0 {
 
-/// One drawable of an SVG document (path, rect, circle, ellipse, line, polyline, polygon), transforms applied.
+/// One drawable of an SVG document (path, rect, circle, ellipse, line, polyline, polygon), transforms
+/// applied.
 struct SvgElement {
   std::string id;  ///< empty without one
   Shape shape;
@@ -37,20 +38,26 @@ struct SvgElement {
 [[nodiscard]] TANDEM_IO_EXPORT std::string format_svg(const Shape& shape);
 
 struct AnimationOptions {
-  double duration = 2.0;          ///< seconds from the first key to the last
-  std::string easing = "linear";  ///< "linear", "ease", "ease-in", "ease-out", "ease-in-out" or "x1 y1 x2 y2"
-  bool alternate = true;          ///< run back again, for ever
+  double duration = 2.0;  ///< seconds from the first key to the last
+  /// From each key to the next: "linear", "ease", "ease-in", "ease-out", "ease-in-out" or "x1 y1 x2 y2", all
+  /// in [0,1].
+  std::string easing = "linear";
+  bool alternate = true;  ///< run back again, for ever
 };
 
-/// An animated SVG (SMIL `animate` of `d`) that loops through the keys of the morph.
+/// An animated SVG (SMIL `animate` of `d`) that loops through the keys of the morph. Closed contours are
+/// filled, open ones stroked. @throws InvalidArgument duration <= 0, or no such easing
 [[nodiscard]] TANDEM_IO_EXPORT std::string format_animated_svg(const PathMorph& morph,
                                                                const AnimationOptions& options = {});
 
-/// One still frame, all frames in the same viewBox.
+/// One still frame; all frames with s in [0,1] have the same viewBox, beyond it grows to hold the frame.
 [[nodiscard]] TANDEM_IO_EXPORT std::string format_frame_svg(const PathMorph& morph, double s);
 
-/// A self-contained HTML page (no network): the morph with slider, play button and onion skin.
-[[nodiscard]] TANDEM_IO_EXPORT std::string format_html_player(const PathMorph& morph, const std::string& title,
+/// A self-contained HTML page (no network): the morph with slider, play button, film strip and onion skin.
+/// Opened as page.html#s=0.5 it rests there; #s=0.5&onion shows the onion skin as well.
+/// @throws InvalidArgument duration <= 0, or no such easing
+[[nodiscard]] TANDEM_IO_EXPORT std::string format_html_player(const PathMorph& morph,
+                                                              const std::string& title,
                                                               const AnimationOptions& options = {});
 
 }  // namespace v0

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "tandem/curve/bounding_box.h"
+#include "tandem/morph/path_morph.h"
+#include "tandem/shape/cubic_path.h"
+
+namespace tandem {
+inline namespace v0 {
+
+/// The part of the plane that a picture shows.
+struct View {
+  double x = 0.0;
+  double y = 0.0;
+  double width = 1.0;
+  double height = 1.0;
+
+  /// The larger side: what line widths are measured against.
+  [[nodiscard]] double size() const noexcept { return width > height ? width : height; }
+};
+
+/// The box with a small margin all round, never empty.
+[[nodiscard]] View view_of(const Box& box);
+
+/// Decimals that keep rounding below 1e-5 of `size`; -1 (shortest exact text) where that is no sensible
+/// number.
+[[nodiscard]] int decimals_for(double size);
+
+[[nodiscard]] std::string format_view_box(const View& view);
+
+/// A picture is one filled path of all closed contours, and one stroked path of all open ones; either may be
+/// empty.
+struct PathDataParts {
+  std::string filled;
+  std::string stroked;
+};
+
+[[nodiscard]] PathDataParts path_data_parts(std::span<const CubicPath> paths,
+                                            std::span<const PathContour> contours, int precision);
+
+/// Attributes of the filled and of the stroked path.
+[[nodiscard]] std::string fill_attributes(FillRule fill_rule);
+[[nodiscard]] std::string stroke_attributes(const View& view);
+
+}  // namespace v0
+}  // namespace tandem

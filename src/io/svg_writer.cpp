@@ -1,0 +1,60 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "io/svg_parts.h"
+#include "tandem/error.h"
+#include "tandem/io/svg.h"
+
+namespace tandem {
+inline namespace v0 {
+namespace {
+
+// Curves that are no cubics are drawn within this share of the picture's diagonal.
+constexpr double kTolerance = 1e-6;
+
+std::string document(const View& view, const PathDataParts& parts, FillRule fill_rule) {
+  std::string text =
+      fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"{}\">\n", format_view_box(view));
+  if (!parts.filled.empty())
+    text += fmt::format("<path {} d=\"{}\"/>\n", fill_attributes(fill_rule), parts.filled);
+  if (!parts.stroked.empty())
+    text += fmt::format("<path {} d=\"{}\"/>\n", stroke_attributes(view), parts.stroked);
+  return text + "</svg>\n";
+}
+
+}  // namespace
+
+std::string format_svg(const Shape& shape) {
+  if (!shape.contours.empty() && shape.dim() != 2) {
+    throw InvalidArgument(fmt::format("svg: the shape has dimension {}, expected 2", shape.dim()));
+  }
+  const Box box = bounding_box(shape);
+  const double tolerance = std::max(kTolerance * box.diagonal(), std::numeric_limits<double>::min());
+  std::vector<CubicPath> paths;
+  std::vector<PathContour> contours;
+  for (const Curve& curve : shape.contours) {
+    paths.push_back(to_cubic_path(curve, tolerance));
+    PathContour contour;
+    for (std::size_t k = 0; k < paths.back().segment_count(); ++k) {
+      contour.lines.push_back(paths.back().is_line(k, 0.0));
+    }
+    contours.push_back(std::move(contour));
+  }
+  return document(view_of(box), path_data_parts(paths, contours, -1), shape.fill_rule);
+}
+
+std::string format_frame_svg(const PathMorph& morph, double s) {
+  const std::vector<CubicPath> paths = morph.at(s);
+  Box box = morph.box();
+  if (s < 0.0 || s > 1.0) {
+    for (const CubicPath& path : paths) box.include(bounding_box(to_curve(path)));
+  }
+  const View view = view_of(box);
+  return document(view, path_data_parts(paths, morph.contours(), decimals_for(view.size())),
+                  morph.fill_rule());
+}
+
+}  // namespace v0
+}  // namespace tandem
