@@ -13,7 +13,7 @@ namespace tandem {
 inline namespace v0 {
 
 struct MorphOptions {
-  MatchOptions match;
+  MatchOptions match = {};
 };
 
 /// A morph through n key shapes: matching happens once, in the constructor; at(s) only blends.
