@@ -60,12 +60,7 @@ void count_invalid(MatchReport& report, const Samples& a, const Samples& b, cons
   }
   report.invalid_nodes = static_cast<int>(path.invalid);
   if (path.invalid == 0) return;
-  const NodeTable nodes = node_costs(a, b, options.norm, options.features);
   // Each step's length, the mean of both curves', is shared by the nodes at its ends.
-  const auto invalid = [&](const Node& n) {
-    return nodes.invalid[nodes.index(static_cast<std::size_t>(n.i) % a.size(),
-                                     static_cast<std::size_t>(n.j) % b.size())] != 0;
-  };
   const auto step_length = [](const Samples& s, int from, int to) {
     return from == to ? 0.0 : s.chord_lengths[static_cast<std::size_t>(from) % s.chords()];
   };
@@ -73,8 +68,7 @@ void count_invalid(MatchReport& report, const Samples& a, const Samples& b, cons
     const Node& from = path.nodes[n - 1];
     const Node& to = path.nodes[n];
     const double length = 0.5 * (step_length(a, from.i, to.i) + step_length(b, from.j, to.j));
-    report.invalid_length +=
-        0.5 * length * (static_cast<double>(invalid(from)) + static_cast<double>(invalid(to)));
+    report.invalid_length += 0.5 * length * (path.invalid_nodes[n - 1] + path.invalid_nodes[n]);
   }
 }
 

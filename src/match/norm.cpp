@@ -94,6 +94,16 @@ NodeTable empty_table(const Sites& a, const Sites& b) {
   return table;
 }
 
+void add_curvature(NodeTable& table, const Sites& a, const Sites& b, const FeatureOptions& features) {
+  if (!features.curvature) return;
+  std::size_t k = 0;
+  for (std::size_t i = 0; i < table.rows; ++i) {
+    for (std::size_t j = 0; j < table.cols; ++j, ++k) {
+      table.cost[k] += features.curvature_weight * curvature_difference(a.curvatures[i], b.curvatures[j]);
+    }
+  }
+}
+
 /// Fills a table from value(i, j), which returns a NormValue.
 template <class Value>
 NodeTable fill_table(const Sites& a, const Sites& b, const FeatureOptions& features, const Value& value) {
@@ -104,11 +114,9 @@ NodeTable fill_table(const Sites& a, const Sites& b, const FeatureOptions& featu
       const NormValue v = value(i, j);
       table.cost[k] = v.cost;
       table.invalid[k] = v.invalid ? 1 : 0;
-      if (features.curvature) {
-        table.cost[k] += features.curvature_weight * curvature_difference(a.curvatures[i], b.curvatures[j]);
-      }
     }
   }
+  add_curvature(table, a, b, features);
   return table;
 }
 
@@ -118,20 +126,42 @@ NormValue from_value(double value, double invalid_below) {
   return {std::max(0.0, 1.0 - value), value < invalid_below};
 }
 
+/// <T1,T2> of all pairs, row by row with the coordinates of b in planes of their own, so that a row is one loop over
+/// lanes.
 NodeTable tangent_table(const Sites& a, const Sites& b, const TableOptions& options) {
-  if (a.tangents->dim() != 2) {
-    return fill_table(a, b, options.features, [&](std::size_t i, std::size_t j) {
-      if (a.still[i] || b.still[j]) return NormValue{};
-      return from_value(dot((*a.tangents)[i], (*b.tangents)[j]), options.invalid_below);
-    });
+  NodeTable table = empty_table(a, b);
+  const auto dim = static_cast<std::size_t>(a.tangents->dim());
+  const std::size_t cols = table.cols;
+  std::vector<double> planes(dim * cols);
+  for (std::size_t j = 0; j < cols; ++j) {
+    for (std::size_t c = 0; c < dim; ++c) planes[c * cols + j] = (*b.tangents)[j][c];
   }
-  // The plane is the case that has to be fast.
-  const double* t1 = a.tangents->data().data();
-  const double* t2 = b.tangents->data().data();
-  return fill_table(a, b, options.features, [&](std::size_t i, std::size_t j) {
-    if (a.still[i] || b.still[j]) return NormValue{};
-    return from_value(t1[2 * i] * t2[2 * j] + t1[2 * i + 1] * t2[2 * j + 1], options.invalid_below);
-  });
+  const double limit = options.invalid_below;
+  for (std::size_t i = 0; i < table.rows; ++i) {
+    if (a.still[i]) continue;
+    double* cost = table.cost.data() + table.index(i, 0);
+    std::uint8_t* invalid = table.invalid.data() + table.index(i, 0);
+    const auto t = (*a.tangents)[i];
+    for (std::size_t c = 0; c < dim; ++c) {
+      const double x = t[c];
+      const double* plane = planes.data() + c * cols;
+      for (std::size_t j = 0; j < cols; ++j) cost[j] += x * plane[j];
+    }
+    for (std::size_t j = 0; j < cols; ++j) {
+      invalid[j] = cost[j] < limit;
+      // Rounding may lift a product of unit vectors above 1.
+      cost[j] = cost[j] < 1.0 ? 1.0 - cost[j] : 0.0;
+    }
+  }
+  for (std::size_t j = 0; j < cols; ++j) {
+    if (!b.still[j]) continue;
+    for (std::size_t i = 0; i < table.rows; ++i) {
+      table.cost[table.index(i, j)] = 0.0;
+      table.invalid[table.index(i, j)] = 0;
+    }
+  }
+  add_curvature(table, a, b, options.features);
+  return table;
 }
 
 NodeTable ruled_table(const Sites& a, const Sites& b, const TableOptions& options) {
@@ -189,9 +219,7 @@ NodeTable make_table(const Sites& a, const Sites& b, const Norm& norm, const Tab
 NodeTable node_costs(const Samples& a, const Samples& b, const Norm& norm, const FeatureOptions& features,
                      RuledSign sign) {
   NodeTable table = make_table(node_sites(a), node_sites(b), norm, {0.0, 1.0, sign, features});
-  for (std::size_t k = 0; k < table.cost.size(); ++k) {
-    if (table.invalid[k] != 0) table.cost[k] = 0.0;
-  }
+  for (std::size_t k = 0; k < table.cost.size(); ++k) table.cost[k] = table.invalid[k] != 0 ? 0.0 : table.cost[k];
   return table;
 }
 

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <tbb/info.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
+
+#include <algorithm>
 
 namespace tandem {
 inline namespace v0 {
@@ -15,7 +18,8 @@ void parallel_for(int count, int threads, const Body& body) {
     for (int k = 0; k < count; ++k) body(k);
     return;
   }
-  tbb::task_arena arena(threads > 0 ? threads : tbb::task_arena::automatic);
+  const int most = tbb::info::default_concurrency();
+  tbb::task_arena arena(threads > 0 ? std::min(threads, most) : most);
   arena.execute([&] { tbb::parallel_for(0, count, [&](int k) { body(k); }); });
 }
 

@@ -130,11 +130,17 @@ Path in_own_order(Path path, int m1, int m2) {
   nodes.pop_back();  // the start again, one lap on
   const auto wraps = std::find_if(nodes.begin(), nodes.end(), [&](const Node& n) { return n.i >= m1; });
   for (auto n = wraps; n != nodes.end(); ++n) *n = {n->i - m1, n->j - m2};
+  const auto turn = wraps - nodes.begin();
   std::rotate(nodes.begin(), wraps, nodes.end());
   const int first = nodes.front().j;
   const int lap = (first >= 0 ? first / m2 : -((m2 - 1 - first) / m2)) * m2;
   for (Node& n : nodes) n.j -= lap;
   nodes.push_back({nodes.front().i + m1, nodes.front().j + m2});
+  if (!path.invalid_nodes.empty()) {
+    path.invalid_nodes.pop_back();
+    std::rotate(path.invalid_nodes.begin(), path.invalid_nodes.begin() + turn, path.invalid_nodes.end());
+    path.invalid_nodes.push_back(path.invalid_nodes.front());
+  }
   return path;
 }
 
@@ -210,6 +216,7 @@ SearchResult search(const Samples& a, const Samples& b, const MatchOptions& opti
   const int m2 = static_cast<int>(b.size());
   if (layout == Layout::pinned && options.method == Method::paper) {
     result.path.nodes.push_back({result.path.nodes.front().i + m1, result.path.nodes.front().j + m2});
+    result.path.invalid_nodes.push_back(result.path.invalid_nodes.front());
   }
   if (layout == Layout::toroidal) result.path = in_own_order(std::move(result.path), m1, m2);
   return result;

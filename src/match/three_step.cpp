@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "match/lexicographic.h"
+#include "match/relax_strip.h"
 #include "match/start_search.h"
 #include "tandem/error.h"
 #include "tandem/match/programme.h"
@@ -12,9 +14,10 @@ inline namespace v0 {
 
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+using detail::extend;
+using detail::infinite_like;
 
-enum Move : std::uint8_t { kStart, kDiagonal, kLeft, kUp };
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// A rectangle of the table unrolled in both directions; indices are taken modulo the table's size.
 struct Window {
@@ -24,130 +27,136 @@ struct Window {
   int cols = 0;
 };
 
-/// The table as the programmes read it. Nodes that cost more than the threshold, or infinity, are barred.
+/// The node costs as a programme reads them, in type V: LexCost, or double, where an invalid node costs a penalty
+/// above anything that valid nodes can add up to. The penalty makes sums of doubles lexicographic: the count of
+/// invalid nodes exactly, the costs to rounding at the size of the penalties ([C]'s own way: Cost >= 2m). It is a
+/// power of two.
+template <class V>
 class Nodes {
  public:
-  Nodes(const NodeTable& table, double threshold) : table_(table), threshold_(threshold) {}
+  Nodes(const NodeTable& table, double most, double threshold)
+      : table_(table), rows_(static_cast<int>(table.rows)), cols_(static_cast<int>(table.cols)), threshold_(threshold) {
+    // A closed path has at most rows + cols nodes.
+    const double total = most * static_cast<double>(table.rows + table.cols);
+    penalty_ = std::scalbn(1.0, std::ilogb(std::max(total, 1e-300)) + 1);
+  }
 
-  [[nodiscard]] int rows() const { return static_cast<int>(table_.rows); }
-  [[nodiscard]] int cols() const { return static_cast<int>(table_.cols); }
-  /// Offset of unrolled row i.
-  [[nodiscard]] std::size_t row(int i) const { return static_cast<std::size_t>(i % rows()) * table_.cols; }
-  [[nodiscard]] LexCost at(std::size_t row, int j) const {
-    const std::size_t k = row + static_cast<std::size_t>(j < cols() ? j : j % cols());
-    const double c = table_.cost[k];
-    if (c > threshold_ || c == kInfinity) return LexCost::infinite();
-    return {static_cast<double>(table_.invalid[k]), c};
+  [[nodiscard]] int rows() const { return rows_; }
+  [[nodiscard]] int cols() const { return cols_; }
+
+  /// Columns first .. first + n - 1 of unrolled row i, into `out`.
+  void unroll(int i, int first, int n, V* out) const {
+    const std::size_t row = table_.index(static_cast<std::size_t>(i % rows_), 0);
+    for (int j = first % cols_; n > 0; j = 0) {
+      const auto lap = static_cast<std::size_t>(std::min(n, cols_ - j));
+      const double* cost = table_.cost.data() + row + j;
+      const std::uint8_t* invalid = table_.invalid.data() + row + j;
+      for (std::size_t k = 0; k < lap; ++k) out[k] = value(cost[k], invalid[k], V{});
+      out += lap;
+      n -= static_cast<int>(lap);
+    }
   }
 
  private:
-  const NodeTable& table_;
-  double threshold_;
-};
-
-/// A row of the programme; cell j + 1 is column j of the window, cell 0 a sentinel.
-using Row = std::vector<LexCost>;
-
-/// One row, from column lo on, from the row above: [C] eq. (7) in lexicographic order. Ties: diagonal, left,
-/// up.
-template <class Join>
-void relax_row(const Nodes& nodes, const Window& w, int i, int lo, const Row& above, Row& row,
-               std::uint8_t* moves) {
-  const std::size_t offset = nodes.row(w.first_row + i);
-  for (int j = lo; j < w.cols; ++j) {
-    const auto c = static_cast<std::size_t>(j) + 1;
-    LexCost best = above[c - 1];
-    std::uint8_t move = kDiagonal;
-    if (row[c - 1] < best) {
-      best = row[c - 1];
-      move = kLeft;
-    }
-    if (above[c] < best) {
-      best = above[c];
-      move = kUp;
-    }
-    const LexCost node = nodes.at(offset, w.first_col + j);
-    row[c] = {best.invalid + node.invalid, Join::join(best.cost, node.cost)};
-    moves[j] = move;
+  [[nodiscard]] double value(double cost, std::uint8_t invalid, double) const {
+    const double counted = cost + (invalid != 0 ? penalty_ : 0.0);
+    return cost <= threshold_ ? counted : kInfinity;
   }
-}
+  [[nodiscard]] LexCost value(double cost, std::uint8_t invalid, LexCost) const {
+    if (cost > threshold_ || cost == kInfinity) return LexCost::infinite();
+    return {static_cast<double>(invalid), cost};
+  }
 
-struct TracedPath {
-  Path path;
-  LexCost cost = LexCost::infinite();
+  const NodeTable& table_;
+  int rows_;
+  int cols_;
+  double threshold_;  ///< nodes that cost more are barred
+  double penalty_;
 };
 
-Path backtrack(const Window& w, const std::vector<std::uint8_t>& moves) {
-  Path path;
+bool reaches(double cost) { return cost < kInfinity; }
+bool reaches(LexCost cost) { return cost.cost < kInfinity; }
+
+std::vector<Node> backtrack(const Window& w, const std::vector<std::uint8_t>& moves) {
+  std::vector<Node> nodes;
   int i = w.rows - 1;
   int j = w.cols - 1;
-  for (;;) {
-    path.nodes.push_back({w.first_row + i, w.first_col + j});
+  nodes.push_back({w.first_row + i, w.first_col + j});
+  while (i > 0 || j > 0) {
     const std::uint8_t move =
         moves[static_cast<std::size_t>(i) * static_cast<std::size_t>(w.cols) + static_cast<std::size_t>(j)];
-    if (move == kStart) break;
-    if (move != kLeft) --i;
-    if (move != kUp) --j;
+    if (move != detail::kLeft) --i;
+    if (move != detail::kUp) --j;
+    nodes.push_back({w.first_row + i, w.first_col + j});
   }
-  std::reverse(path.nodes.begin(), path.nodes.end());
-  return path;
+  std::reverse(nodes.begin(), nodes.end());
+  return nodes;
 }
 
-/// The optimal path from the window's first node to its last. On a closed path the first node's own cost does
-/// not count: it is the last node too.
-template <class Join>
-TracedPath trace_window(const Nodes& nodes, const Window& w, bool count_start) {
+template <class V>
+struct TracedPath {
+  std::vector<Node> nodes;
+  V cost = infinite_like(V{});
+  bool cancelled = false;
+};
+
+/// The optimal path from a window's first node to its last. On a closed path the first node's own cost does not
+/// count: it is the last node too.
+template <class Join, class V>
+TracedPath<V> trace_window(const Nodes<V>& nodes, const Window& w, bool count_start) {
+  using detail::kStripRows;
+  const auto rows = static_cast<std::size_t>(w.rows);
   const auto cols = static_cast<std::size_t>(w.cols);
-  Row above(cols + 1, LexCost::infinite());
-  Row row(cols + 1, LexCost::infinite());
-  std::vector<std::uint8_t> moves(static_cast<std::size_t>(w.rows) * cols, kStart);
-  for (int i = 0; i < w.rows; ++i) {
-    if (i == 0) row[1] = count_start ? nodes.at(nodes.row(w.first_row), w.first_col) : LexCost{};
-    relax_row<Join>(nodes, w, i, i == 0 ? 1 : 0, above, row,
-                    moves.data() + static_cast<std::size_t>(i) * cols);
-    std::swap(above, row);
-    row[0] = LexCost::infinite();
+  std::vector<V> above(cols, infinite_like(V{}));
+  std::vector<V> strip(kStripRows * cols);
+  std::vector<std::uint8_t> moves(rows * cols);
+  std::array<const V*, kStripRows> strip_rows;
+  for (std::size_t r = 0; r < kStripRows; ++r) strip_rows[r] = strip.data() + r * cols;
+  for (std::size_t i = 0; i < rows; i += kStripRows) {
+    const std::size_t count = std::min(kStripRows, rows - i);
+    for (std::size_t r = 0; r < count; ++r) {
+      nodes.unroll(w.first_row + static_cast<int>(i + r), w.first_col, w.cols, strip.data() + r * cols);
+    }
+    if (i == 0 && !count_start) strip[0] = V{};
+    // The first node is entered by a diagonal from a node before it that costs nothing.
+    detail::relax_strip<Join>(strip_rows, count, cols, above, i == 0 ? V{} : infinite_like(V{}),
+                              moves.data() + i * cols);
   }
-  TracedPath traced;
-  traced.cost = above[cols];
-  if (!(traced.cost < LexCost::infinite())) return traced;
-  traced.path = backtrack(w, moves);
-  traced.path.cost = traced.cost.cost;
-  traced.path.invalid = static_cast<std::int64_t>(traced.cost.invalid);
+  TracedPath<V> traced;
+  if (!reaches(above.back())) return traced;
+  traced.cost = above.back();
+  traced.nodes = backtrack(w, moves);
   return traced;
 }
 
 /// One row of the programme that starts at many nodes, with the start that each cell's path comes from.
+template <class V>
 struct OriginRow {
-  explicit OriginRow(std::size_t width) : cost(width, LexCost::infinite()), origin(width, -1) {}
-  std::vector<LexCost> cost;
+  explicit OriginRow(std::size_t width) : cost(width, infinite_like(V{})), origin(width, -1) {}
+  std::vector<V> cost;
   std::vector<int> origin;
 };
 
+LexCost as_lex(double cost) { return {0.0, cost}; }
+LexCost as_lex(LexCost cost) { return cost; }
+
 /// Bounds for the starts (k,0), first <= k < last, of the toroidal form: one programme from all of them.
-template <class Join>
-std::vector<StartBound> bound_starts(const Nodes& nodes, int first, int last) {
+template <class Join, class V>
+std::vector<StartBound> bound_starts(const Nodes<V>& nodes, int first, int last) {
   const int m1 = nodes.rows();
   const auto width = static_cast<std::size_t>(nodes.cols()) + 1;
-  OriginRow above(width);
-  OriginRow row(width);
+  OriginRow<V> above(width);
+  OriginRow<V> row(width);
+  std::vector<V> values(width);
   std::vector<StartBound> bounds(static_cast<std::size_t>(last - first));
   for (int i = first; i < last + m1; ++i) {
-    const std::size_t offset = nodes.row(i);
-    const auto enter = [&](std::size_t j, LexCost best, int from) {
-      const LexCost node = nodes.at(offset, static_cast<int>(j));
-      row.cost[j] = {best.invalid + node.invalid, Join::join(best.cost, node.cost)};
-      row.origin[j] = from;
-    };
-    if (i < last) {
-      // A start costs nothing yet: its node is the end node too, where it is counted.
-      row.cost[0] = {};
-      row.origin[0] = i;
-    } else {
-      enter(0, above.cost[0], above.origin[0]);
-    }
+    nodes.unroll(i, 0, static_cast<int>(width), values.data());
+    // A start costs nothing yet: its node is the end node too, where it is counted.
+    const bool starts = i < last;
+    row.cost[0] = starts ? V{} : extend<Join>(above.cost[0], values[0]);
+    row.origin[0] = starts ? i : above.origin[0];
     for (std::size_t j = 1; j < width; ++j) {
-      LexCost best = above.cost[j - 1];
+      V best = above.cost[j - 1];
       int from = above.origin[j - 1];
       if (row.cost[j - 1] < best) {
         best = row.cost[j - 1];
@@ -157,70 +166,102 @@ std::vector<StartBound> bound_starts(const Nodes& nodes, int first, int last) {
         best = above.cost[j];
         from = above.origin[j];
       }
-      enter(j, best, from);
+      row.cost[j] = extend<Join>(best, values[j]);
+      row.origin[j] = from;
     }
-    if (i >= first + m1) {
-      bounds[static_cast<std::size_t>(i - m1 - first)] = {row.cost[width - 1], row.origin[width - 1]};
+    const V end = row.cost[width - 1];
+    if (i >= first + m1 && reaches(end)) {
+      bounds[static_cast<std::size_t>(i - m1 - first)] = {as_lex(end), row.origin[width - 1]};
     }
     std::swap(above, row);
   }
   return bounds;
 }
 
-template <class Join>
-TracedPath best_closed(const Nodes& nodes, const Progress& progress) {
+template <class Join, class V>
+TracedPath<V> best_closed(const Nodes<V>& nodes, const Progress& progress) {
   const StartChoice choice = search_starts(
       nodes.rows(), [&](int first, int last) { return bound_starts<Join>(nodes, first, last); }, progress);
   if (choice.cancelled || choice.start < 0) {
-    TracedPath none;
-    none.path.cancelled = choice.cancelled;
+    TracedPath<V> none;
+    none.cancelled = choice.cancelled;
     return none;
   }
   return trace_window<Join>(nodes, {choice.start, 0, nodes.rows() + 1, nodes.cols() + 1}, false);
 }
 
 /// The best of `count` windows, each with a programme of its own; the first one on a tie.
-template <class Join, class WindowAt>
-TracedPath best_window(const Nodes& nodes, int count, const WindowAt& window_at, const Progress& progress) {
-  TracedPath best;
+template <class Join, class V, class WindowAt>
+TracedPath<V> best_window(const Nodes<V>& nodes, int count, const WindowAt& window_at, const Progress& progress) {
+  TracedPath<V> best;
   for (int k = 0; k < count; ++k) {
     if (progress && !progress(static_cast<double>(k) / count)) {
-      best.path.cancelled = true;
+      best.cancelled = true;
       return best;
     }
-    TracedPath traced = trace_window<Join>(nodes, window_at(k), true);
+    TracedPath<V> traced = trace_window<Join>(nodes, window_at(k), true);
     if (traced.cost < best.cost) best = std::move(traced);
   }
   return best;
 }
 
-void check_table(const NodeTable& table) {
+/// The largest finite cost. @throws InvalidArgument the table's sizes disagree, or a cost is no cost
+double check_table(const NodeTable& table) {
   if (table.rows == 0 || table.cols == 0 || table.cost.size() != table.rows * table.cols ||
       table.invalid.size() != table.cost.size()) {
     throw InvalidArgument("a cost table needs rows * cols > 0 costs and as many validity flags");
   }
+  double most = 0.0;
+  bool sound = true;
   for (double c : table.cost) {
-    if (!(c >= 0.0)) throw InvalidArgument("a node cost is negative or not a number");
+    sound &= c >= 0.0;
+    most = c > most && c < kInfinity ? c : most;
   }
+  if (!sound) throw InvalidArgument("a node cost is negative or not a number");
+  return most;
 }
 
-/// Runs `find` once for sums; for Aggregate::maximum twice: the least maximum first, then the least sum among
-/// the paths that stay below it.
+/// The path with its cost and invalid nodes counted anew, without penalties. skip: nodes at its start that do not
+/// count.
+Path rescored(std::vector<Node> nodes, const NodeTable& table, Aggregate aggregate, std::size_t skip) {
+  Path path;
+  path.nodes = std::move(nodes);
+  for (std::size_t n = 0; n < path.nodes.size(); ++n) {
+    const std::size_t k = table.index(static_cast<std::size_t>(path.nodes[n].i) % table.rows,
+                                      static_cast<std::size_t>(path.nodes[n].j) % table.cols);
+    path.invalid_nodes.push_back(table.invalid[k]);
+    if (n < skip) continue;
+    path.cost = aggregate == Aggregate::sum ? path.cost + table.cost[k] : std::max(path.cost, table.cost[k]);
+    path.invalid += table.invalid[k];
+  }
+  return path;
+}
+
+/// Runs find(nodes, join). For Aggregate::maximum twice: the least maximum first, then the least sum among the paths
+/// that stay below it. closed: the start does not count.
 template <class Find>
-Path aggregate_path(const NodeTable& table, Aggregate aggregate, const Find& find) {
-  check_table(table);
-  if (aggregate == Aggregate::sum) return find(Nodes(table, kInfinity), SumCosts{}).path;
-  const Path widest = find(Nodes(table, kInfinity), MaxCosts{}).path;
-  if (widest.cancelled || widest.nodes.empty()) return widest;
-  Path path = find(Nodes(table, widest.cost), SumCosts{}).path;
-  path.cost = widest.cost;
+Path aggregate_path(const NodeTable& table, Aggregate aggregate, bool closed, const Find& find) {
+  const double most = check_table(table);
+  double threshold = kInfinity;
+  if (aggregate == Aggregate::maximum) {
+    const TracedPath<LexCost> widest = find(Nodes<LexCost>(table, most, kInfinity), MaxCosts{});
+    if (widest.cancelled || widest.nodes.empty()) {
+      Path none;
+      none.cancelled = widest.cancelled;
+      return none;
+    }
+    threshold = widest.cost.cost;
+  }
+  TracedPath<double> found = find(Nodes<double>(table, most, threshold), SumCosts{});
+  Path path = rescored(std::move(found.nodes), table, aggregate, closed ? 1 : 0);
+  path.cancelled = found.cancelled;
   return path;
 }
 
 }  // namespace
 
 Path open_path(const NodeTable& table, Aggregate aggregate) {
-  return aggregate_path(table, aggregate, [&](const Nodes& nodes, auto join) {
+  return aggregate_path(table, aggregate, false, [&](const auto& nodes, auto join) {
     return trace_window<decltype(join)>(nodes, {0, 0, nodes.rows(), nodes.cols()}, true);
   });
 }
@@ -242,30 +283,22 @@ std::vector<double> accumulated_costs(const NodeTable& table) {
 }
 
 Path closed_path(const NodeTable& table, Aggregate aggregate, const Progress& progress) {
-  return aggregate_path(table, aggregate, [&](const Nodes& nodes, auto join) {
+  return aggregate_path(table, aggregate, true, [&](const auto& nodes, auto join) {
     return best_closed<decltype(join)>(nodes, progress);
   });
 }
 
 Path pinned_path(const NodeTable& table, Aggregate aggregate, const Progress& progress) {
-  return aggregate_path(table, aggregate, [&](const Nodes& nodes, auto join) {
+  return aggregate_path(table, aggregate, false, [&](const auto& nodes, auto join) {
     return best_window<decltype(join)>(
-        nodes, nodes.cols(),
-        [&](int k) {
-          return Window{0, k, nodes.rows(), nodes.cols()};
-        },
-        progress);
+        nodes, nodes.cols(), [&](int k) { return Window{0, k, nodes.rows(), nodes.cols()}; }, progress);
   });
 }
 
 Path cut_path(const NodeTable& table, Aggregate aggregate, const Progress& progress) {
-  return aggregate_path(table, aggregate, [&](const Nodes& nodes, auto join) {
+  return aggregate_path(table, aggregate, false, [&](const auto& nodes, auto join) {
     return best_window<decltype(join)>(
-        nodes, nodes.rows(),
-        [&](int k) {
-          return Window{k, 0, nodes.rows() + 1, nodes.cols()};
-        },
-        progress);
+        nodes, nodes.rows(), [&](int k) { return Window{k, 0, nodes.rows() + 1, nodes.cols()}; }, progress);
   });
 }
 

@@ -29,7 +29,8 @@ struct Path {
   double cost = 0.0;
   std::int64_t invalid =
       0;  ///< invalid nodes (three steps); invalid length in units of kInvalidQuantum (elastic)
-  bool cancelled = false;  ///< the progress callback said stop; the rest is meaningless
+  std::vector<std::uint8_t> invalid_nodes;  ///< three steps: one flag per node
+  bool cancelled = false;                   ///< the progress callback said stop; the rest is meaningless
 };
 
 // --- three steps: (1,1), (0,1), (1,0), costs at nodes; [C] eq. (7) ---
