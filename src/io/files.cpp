@@ -21,7 +21,7 @@ inline namespace v0 {
 namespace {
 
 /// No curve file is as large as this; a device or a pipe without end is.
-constexpr std::size_t kLargestFile = std::size_t{512} << 20U;
+constexpr std::size_t kLargestFile = std::size_t{256} << 20U;
 
 std::string reason(int error) {
   return std::generic_category().message(error);
@@ -137,7 +137,16 @@ std::string read_file(const std::string& path) {
   const std::string name = standard_input ? "standard input" : path;
   FileDescriptor file(standard_input ? STDIN_FILENO : ::open(path.c_str(), O_RDONLY | O_CLOEXEC));
   if (file.get() < 0) fail("read", name, errno);
+  const auto check_size = [&name](std::size_t size) {
+    if (size <= kLargestFile) return;
+    throw IoError(fmt::format("cannot read {}: it is larger than {} MiB", name, kLargestFile >> 20U));
+  };
   std::string content;
+  struct stat status {};
+  if (::fstat(file.get(), &status) == 0 && S_ISREG(status.st_mode)) {
+    check_size(static_cast<std::size_t>(status.st_size));
+    content.reserve(static_cast<std::size_t>(status.st_size));
+  }
   std::vector<char> buffer(std::size_t{1} << 16U);
   for (;;) {
     const ssize_t count = ::read(file.get(), buffer.data(), buffer.size());
@@ -145,9 +154,7 @@ std::string read_file(const std::string& path) {
     if (count < 0) fail("read", name, errno);
     if (count == 0) return content;
     content.append(buffer.data(), static_cast<std::size_t>(count));
-    if (content.size() > kLargestFile) {
-      throw IoError(fmt::format("cannot read {}: it is larger than {} MiB", name, kLargestFile >> 20U));
-    }
+    check_size(content.size());
   }
 }
 

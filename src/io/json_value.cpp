@@ -67,12 +67,12 @@ class TreeBuilder {
   [[nodiscard]] const char** furthest() { return &read_; }
   [[nodiscard]] JsonValue take() { return std::move(root_); }
 
-  bool null() { return add(last_byte(), std::monostate{}); }
-  bool boolean(bool value) { return add(last_byte(), value); }
+  bool null() { return add(bytes_read() - 4, std::monostate{}); }
+  bool boolean(bool value) { return add(bytes_read() - (value ? 4 : 5), value); }
   bool number_integer(std::int64_t value) { return add_number(static_cast<double>(value)); }
   bool number_unsigned(std::uint64_t value) { return add_number(static_cast<double>(value)); }
   bool number_float(double value, const std::string& /*text*/) { return add_number(value); }
-  bool string(std::string& value) { return add(last_byte(), std::move(value)); }
+  bool string(std::string& value) { return add(string_start(), std::move(value)); }
   bool binary(binary_t& /*value*/) { return false; }  // only binary formats have it
   bool start_object(std::size_t /*size*/) { return open(JsonValue::Object{}); }
   bool start_array(std::size_t /*size*/) { return open(JsonValue::Array{}); }
@@ -92,18 +92,35 @@ class TreeBuilder {
       if (const std::size_t colon = message.find(": "); colon != std::string::npos)
         message.erase(0, colon + 2);
     }
-    fail_at(source_, text_, position > 0 ? position - 1 : 0, message);
+    std::size_t offset = position > 0 ? position - 1 : 0;
+    if (message.rfind("number overflow", 0) == 0) offset = number_start(std::min(offset, text_.size()));
+    fail_at(source_, text_, offset, message);
   }
 
  private:
   [[nodiscard]] std::size_t bytes_read() const { return static_cast<std::size_t>(read_ - text_.data()); }
   [[nodiscard]] std::size_t last_byte() const { return bytes_read() - 1; }
 
+  /// The start of the number that ends at `end`, or one byte before it.
+  [[nodiscard]] std::size_t number_start(std::size_t end) const {
+    if (end > 0 && !in_number(text_[end - 1])) --end;
+    while (end > 0 && in_number(text_[end - 1])) --end;
+    return end;
+  }
+
+  /// The quote that opens the string just read: going back, the first one without a backslash.
+  [[nodiscard]] std::size_t string_start() const {
+    std::size_t i = last_byte();
+    while (i > 0) {
+      --i;
+      if (text_[i] == '"' && (i == 0 || text_[i - 1] != '\\')) break;
+    }
+    return i;
+  }
+
   /// The parser has read one byte beyond the number, except at the end of the text.
   bool add_number(double value) {
-    std::size_t start = bytes_read();
-    if (start > 0 && !in_number(text_[start - 1])) --start;
-    while (start > 0 && in_number(text_[start - 1])) --start;
+    const std::size_t start = number_start(bytes_read());
     if (value == 0.0 && text_[start] == '-') value = -0.0;  // the parser takes "-0" for an integer
     return add(start, value);
   }

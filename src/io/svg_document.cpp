@@ -65,18 +65,6 @@ std::size_t raw_length(std::string_view raw, std::size_t count) {
   return std::min(i, raw.size());
 }
 
-bool ends_with(std::string_view text, std::string_view end) {
-  return text.size() >= end.size() && text.substr(text.size() - end.size()) == end;
-}
-
-/// Deeper down nothing is drawn, and looking up namespaces, which walks up the tree, would take quadratic
-/// time.
-constexpr std::size_t kDeepestStyle = 256;
-
-bool is_style(const pugi::xml_node& node) {
-  return ends_with(node.name(), "style") && SvgDocument::name(node) == "style";
-}
-
 }  // namespace
 
 SvgDocument::SvgDocument(std::string_view text, const std::string& source)
@@ -90,6 +78,7 @@ SvgDocument::SvgDocument(std::string_view text, const std::string& source)
     fail_at(source_, text_, static_cast<std::size_t>(std::max<std::ptrdiff_t>(result.offset, 0)),
             fmt::format("malformed XML: {}", result.description()));
   }
+  find_prefixes();
   root_ = document_.document_element();
   if (name(root_) != "svg") fail(root_, fmt::format("expected <svg>, found <{}>", root_.name()));
   index_elements();
@@ -100,21 +89,11 @@ pugi::xml_node SvgDocument::find(std::string_view id) const {
   return found == ids_.end() ? pugi::xml_node() : found->second;
 }
 
-std::string_view SvgDocument::name(const pugi::xml_node& node) {
+std::string_view SvgDocument::name(const pugi::xml_node& node) const {
   const std::string_view qualified = node.name();
   const std::size_t colon = qualified.find(':');
   if (colon == std::string_view::npos) return qualified;
-  const std::string_view prefix = qualified.substr(0, colon);
-  const std::string_view local = qualified.substr(colon + 1);
-  const std::string declaration = fmt::format("xmlns:{}", prefix);
-  for (pugi::xml_node scope = node; scope; scope = scope.parent()) {
-    const pugi::xml_attribute uri = scope.attribute(declaration.c_str());
-    if (!uri) continue;
-    // Adobe's files write the namespace as a reference to an entity, which stays as it is here.
-    return uri.value() == kNamespace || std::string_view(uri.value()) == "&ns_svg;" ? local
-                                                                                    : std::string_view();
-  }
-  return prefix == "svg" ? local : std::string_view();
+  return prefixes_.count(qualified.substr(0, colon)) != 0 ? qualified.substr(colon + 1) : std::string_view();
 }
 
 void SvgDocument::fail(const std::string& message) const {
@@ -131,19 +110,45 @@ void SvgDocument::fail(const pugi::xml_node& node, const char* attribute, const 
           fmt::format("{}, attribute {}: {}", describe(node), attribute, error.message));
 }
 
-void SvgDocument::index_elements() {
-  std::size_t depth = 0;
-  for (pugi::xml_node node = root_; node;) {
-    if (const pugi::xml_attribute id = node.attribute("id")) ids_.emplace(id.value(), node);
-    if (depth <= kDeepestStyle && is_style(node)) styles_.push_back(node);
+template <typename Function>
+void SvgDocument::for_each_element(Function f) const {
+  const pugi::xml_node root = document_.document_element();
+  for (pugi::xml_node node = root; node;) {
+    f(node);
     if (node.first_child()) {
       node = node.first_child();
-      ++depth;
       continue;
     }
-    for (; node != root_ && !node.next_sibling(); --depth) node = node.parent();
-    node = node == root_ ? pugi::xml_node() : node.next_sibling();
+    while (node != root && !node.next_sibling()) node = node.parent();
+    node = node == root ? pugi::xml_node() : node.next_sibling();
   }
+}
+
+void SvgDocument::find_prefixes() {
+  constexpr std::string_view kDeclaration = "xmlns:";
+  bool svg_is_other = false;
+  for_each_element([&](const pugi::xml_node& node) {
+    for (const pugi::xml_attribute& attribute : node.attributes()) {
+      const std::string_view declared = attribute.name();
+      if (declared.substr(0, kDeclaration.size()) != kDeclaration) continue;
+      const std::string_view prefix = declared.substr(kDeclaration.size());
+      const std::string_view uri = attribute.value();
+      // Adobe's files write the namespace as a reference to an entity, which stays as it is here.
+      if (uri == kNamespace || uri == "&ns_svg;") {
+        prefixes_.insert(prefix);
+      } else if (prefix == "svg") {
+        svg_is_other = true;
+      }
+    }
+  });
+  if (!svg_is_other) prefixes_.insert("svg");
+}
+
+void SvgDocument::index_elements() {
+  for_each_element([this](const pugi::xml_node& node) {
+    if (const pugi::xml_attribute id = node.attribute("id")) ids_.emplace(id.value(), node);
+    if (name(node) == "style") styles_.push_back(node);
+  });
 }
 
 std::size_t SvgDocument::offset_in_file(const pugi::xml_node& node, std::string_view attribute,

@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 #include "io/text_position.h"
@@ -24,8 +25,9 @@ class SvgDocument {
   [[nodiscard]] pugi::xml_node find(std::string_view id) const;
   [[nodiscard]] const std::vector<pugi::xml_node>& style_elements() const noexcept { return styles_; }
 
-  /// The element's name when it is one of SVG's, without prefix; empty otherwise.
-  [[nodiscard]] static std::string_view name(const pugi::xml_node& node);
+  /// The element's name when it is one of SVG's, without prefix; empty otherwise. A prefix means SVG when the
+  /// document says so anywhere: scopes are not told apart.
+  [[nodiscard]] std::string_view name(const pugi::xml_node& node) const;
 
   [[noreturn]] void fail(const std::string& message) const;
   [[noreturn]] void fail(const pugi::xml_node& node, const std::string& message) const;
@@ -33,6 +35,9 @@ class SvgDocument {
   [[noreturn]] void fail(const pugi::xml_node& node, const char* attribute, const SyntaxError& error) const;
 
  private:
+  template <typename Function>
+  void for_each_element(Function f) const;
+  void find_prefixes();
   void index_elements();
   [[nodiscard]] std::size_t offset_in_file(const pugi::xml_node& node, std::string_view attribute,
                                            std::size_t offset) const;
@@ -43,6 +48,7 @@ class SvgDocument {
   pugi::xml_node root_;
   std::unordered_map<std::string_view, pugi::xml_node> ids_;
   std::vector<pugi::xml_node> styles_;
+  std::unordered_set<std::string_view> prefixes_;  ///< those that stand for SVG
 };
 
 }  // namespace v0

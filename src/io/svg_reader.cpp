@@ -71,7 +71,7 @@ class SvgReader {
     enter_viewport(document_.root(), context, true, {});
     context.style.inherit(sheet_.cascade(document_.root(), "svg"));
     used_.push_back(node);
-    if (SvgDocument::name(node) == "symbol") {
+    if (document_.name(node) == "symbol") {
       draw_symbol(node, context, 0, {});
     } else {
       draw(node, context, 0);
@@ -82,7 +82,7 @@ class SvgReader {
 
   void draw(const pugi::xml_node& node, Context context, int depth) {
     if (node.type() != pugi::node_element) return;
-    const std::string_view name = SvgDocument::name(node);
+    const std::string_view name = document_.name(node);
     const bool shape = is_svg_shape(name);
     if (!shape && !is_container(name) && name != "use") return;
     count_use(node, shape);
@@ -124,7 +124,7 @@ class SvgReader {
   /// The first child that this program would understand; languages are not asked for.
   void draw_switch(const pugi::xml_node& node, const Context& context, int depth) {
     for (const pugi::xml_node& child : node.children()) {
-      const std::string_view name = SvgDocument::name(child);
+      const std::string_view name = document_.name(child);
       const bool drawable = is_svg_shape(name) || is_container(name) || name == "use";
       if (!drawable || !std::string_view(child.attribute("requiredExtensions").value()).empty()) continue;
       draw(child, context, depth + 1);
@@ -152,7 +152,7 @@ class SvgReader {
     const double y = read_length(document_, node, "y", SvgAxis::y, context.viewport).value_or(0.0);
     context.transform = context.transform * Transform::translate(x, y);
     used_.push_back(target);
-    const std::string_view name = SvgDocument::name(target);
+    const std::string_view name = document_.name(target);
     if (name == "symbol" || name == "svg") {
       draw_symbol(target, context, depth + 1, node);
     } else {
@@ -169,7 +169,7 @@ class SvgReader {
 
   /// A <symbol>, or an <svg>, whose size a <use> may override.
   void draw_symbol(const pugi::xml_node& symbol, Context context, int depth, const pugi::xml_node& use) {
-    const Declarations declarations = sheet_.cascade(symbol, SvgDocument::name(symbol));
+    const Declarations declarations = sheet_.cascade(symbol, document_.name(symbol));
     if (is(declarations, SvgProperty::display, "none")) return;
     context.style.inherit(declarations);
     context.transform = context.transform * own_transform(symbol, declarations);

@@ -147,9 +147,18 @@ void StyleSheet::read(std::string_view css) {
 
 void StyleSheet::add_rules(std::string_view selectors, std::string_view body) {
   ++order_;
+  Declarations declarations;
+  read_declarations(body, 0, order_, declarations);
   for_each_part(selectors, ',', [&](std::string_view selector) {
     const int strength = selector_strength(selector);
-    if (strength >= 0) read_declarations(body, strength, order_, rules_[std::string(selector)]);
+    if (strength < 0) return;
+    Declarations& rule = rules_[std::string(selector)];
+    for (std::size_t k = 0; k < kSvgProperties; ++k) {
+      if (!declarations[k]) continue;
+      Declaration declaration = *declarations[k];
+      declaration.strength += strength;
+      weigh(rule[k], declaration);
+    }
   });
 }
 
