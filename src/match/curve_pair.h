@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "curve/evaluator.h"
+#include "match/span_curve.h"
 #include "tandem/curve/curve.h"
 #include "tandem/match/norm.h"
 
@@ -22,63 +22,56 @@ struct PairState {
   const double* tangent_a = nullptr;  ///< unit; zero where the curve stands still
   const double* tangent_b = nullptr;
   const double* chord = nullptr;  ///< ruled norm: direction from a to b, unit; zero where they meet
+  double gap = 0.0;               ///< ruled norm: |b - a|, in units of the larger curve's size
+  double gap_speed = 0.0;         ///< |b' - a'| likewise
 };
 
 /// Evaluates two curves of one dimension over one domain together, span by span.
 ///
 /// A span reaches from one knot of either curve to the next. Unit tangents are one-sided limits: where the
-/// speed is zero, the first derivative that is not gives the direction.
+/// speed is zero, the first derivative that is not gives the direction; inside a span, from the side with the
+/// lower value.
 class CurvePair {
  public:
-  /// slots: how many states are kept at a time; a new state in a slot takes the directions of the old one
-  /// away.
-  CurvePair(const Curve& a, const Curve& b, NormKind norm, std::size_t slots);
+  /// chords: nodes per span, less one. slots: how many states are kept at a time; a new state in a slot takes
+  /// the directions of the old one away.
+  CurvePair(const Curve& a, const Curve& b, NormKind norm, std::size_t chords, std::size_t slots);
 
   [[nodiscard]] std::size_t dim() const { return dim_; }
-  [[nodiscard]] std::size_t spans() const { return breaks_.size() - 1; }
+  [[nodiscard]] std::size_t spans() const { return spans_.size(); }
   /// The planar ruled norm: sigma matters.
   [[nodiscard]] bool is_signed() const { return ruled_ && dim_ == 2; }
 
   void enter_span(std::size_t i);
-  [[nodiscard]] PairState at_start(std::size_t slot);
-  [[nodiscard]] PairState at_end(std::size_t slot);
-  /// Strictly inside; where a speed is zero, the worse of both sides.
-  [[nodiscard]] PairState inside(std::size_t slot, double u);
+  /// Node k of the span, 0 <= k <= chords; at the ends from within.
+  [[nodiscard]] PairState at_node(std::size_t slot, std::size_t k);
+  /// Strictly inside.
+  [[nodiscard]] PairState at(std::size_t slot, double u) { return look_from_both_sides(slot, {u}); }
 
   /// How far the directions turn from one state to another.
   [[nodiscard]] double turning(const PairState& from, const PairState& to) const;
 
  private:
-  /// A knot of either curve, in each curve's own rounding of it.
-  struct Break {
-    double u_a;
-    double u_b;
+  /// From one knot of either curve to the next: which piece of each curve it is.
+  struct Span {
+    Interval u;
+    std::size_t piece_a;
+    std::size_t piece_b;
   };
 
-  struct OneCurve {
-    explicit OneCurve(const Curve& curve);
-
-    Evaluator evaluator;
-    double size;          ///< of the curve
-    double rounding;      ///< of its coordinates
-    double length = 1.0;  ///< of the current span
-  };
-
-  /// Unit tangent from `side` into `direction`, the point into `position`; returns the speed.
-  double look(const OneCurve& curve, double u, Side side, double* position, double* direction);
-  double limit(const OneCurve& curve, double u, Side side, double* direction);
-  PairState look_at(std::size_t slot, double u_a, double u_b, Side side);
+  [[nodiscard]] PairState look(std::size_t slot, const SpanPlace& place, Side side);
+  [[nodiscard]] PairState look_from_both_sides(std::size_t slot, const SpanPlace& place);
   void judge(PairState& state) const;
 
   std::size_t dim_;
   bool ruled_;
-  OneCurve a_;
-  OneCurve b_;
-  std::vector<Break> breaks_;
-  std::size_t span_ = 0;
-  std::vector<double> directions_;   ///< slots * 3 * dim
-  std::vector<double> scratch_;      ///< two points
-  std::vector<double> derivatives_;  ///< workspace of limit()
+  std::size_t chords_;
+  SpanCurve a_;
+  SpanCurve b_;
+  std::vector<Span> spans_;
+  Span span_{};
+  std::vector<double> directions_;  ///< slots * 3 * dim
+  std::vector<double> points_;      ///< workspace
 };
 
 }  // namespace detail

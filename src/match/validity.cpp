@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <limits>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "match/curve_pair.h"
@@ -20,20 +21,18 @@ namespace {
 using detail::CurvePair;
 using detail::PairState;
 
-/// Chords of a span at which both curves are looked at; between them only where the directions turn so far
-/// that the value might change its sign.
+/// Chords of a span at which both curves are looked at; halved where more may happen between the samples.
 constexpr std::size_t kChords = 8;
 /// Halvings of such a chord: a cusp is found when its tangents flip within 1/8192 of a span or more.
 constexpr std::size_t kHalvings = 10;
-/// Turning between two samples of different sign below which the crossing is interpolated, not halved: 0.6
-/// degrees.
+/// Turning of both curves together between two samples, in radians: above the first a chord is halved in any
+/// case, below the second a change of sign is interpolated.
+constexpr double kCoarseTurning = 0.5;
 constexpr double kFineTurning = 0.01;
-/// Local minima this much above the lowest sample may still be the minimum after sharpening, and no more than
-/// kMostSharpened of them are looked at.
-constexpr double kNearMinimum = 0.02;
+/// How many valleys are sharpened, the most promising first.
 constexpr std::size_t kMostSharpened = 8;
-/// What the parabola through three samples must promise before it is worth while to sharpen a minimum.
-constexpr double kWorthSharpening = 1e-9;
+/// Valleys no deeper than this are rounding, or not worth the while.
+constexpr double kDepth = 1e-9;
 /// Angles may be off by this much before a turn counts as more than half a circle.
 constexpr double kAngleRounding = 1e-9;
 /// Domains may differ by rounding of a change of parameter.
@@ -61,7 +60,50 @@ struct Valley {
   std::size_t span = 0;
   double lo = 0.0;
   double hi = 0.0;
-  double value = 0.0;
+  double promise = 0.0;  ///< how low the bottom might be
+};
+
+/// Finds the valleys in a row of samples of one span.
+class ValleyFinder {
+ public:
+  void start(std::size_t span, double u, double value) {
+    span_ = span;
+    before_u_ = u_ = u;
+    before_ = value_ = value;
+  }
+
+  void next(double u, double value) {
+    const double wall = std::max(before_ - value_, value - value_);
+    if (value_ <= before_ && value_ <= value && wall > kDepth) {
+      // A parabola's bottom lies within an eighth of the higher wall below its lowest sample; be generous.
+      valleys_.push_back({span_, before_u_, u, value_ - 0.5 * wall});
+    }
+    before_u_ = u_;
+    before_ = value_;
+    u_ = u;
+    value_ = value;
+  }
+
+  /// The row ends with the last sample.
+  void finish() { next(u_, value_); }
+
+  /// The most promising valleys that might lie below `least`.
+  [[nodiscard]] std::vector<Valley> best(double least) {
+    const auto higher = [least](const Valley& valley) { return valley.promise >= least; };
+    valleys_.erase(std::remove_if(valleys_.begin(), valleys_.end(), higher), valleys_.end());
+    std::sort(valleys_.begin(), valleys_.end(),
+              [](const Valley& a, const Valley& b) { return a.promise < b.promise; });
+    if (valleys_.size() > kMostSharpened) valleys_.resize(kMostSharpened);
+    return std::move(valleys_);
+  }
+
+ private:
+  std::size_t span_ = 0;
+  double before_u_ = 0.0;
+  double before_ = 0.0;
+  double u_ = 0.0;
+  double value_ = 0.0;
+  std::vector<Valley> valleys_;
 };
 
 /// Share of the chord between two samples on which the value is not positive.
@@ -80,7 +122,15 @@ double angle(const double* from, const double* to) {
 
 /// Does the turn at a corner pass pi on the way from the first curve to the second (spec C13)? Blended
 /// tangents turn from the first curve's to the second's on either side of the corner, by less than pi each.
+/// A curve that stands still on one side has no corner.
 bool backtracks(const double* a_in, const double* a_out, const double* b_in, const double* b_out) {
+  for (const double* tangent : {a_in, a_out, b_in, b_out}) {
+    if (tangent[0] == 0.0 && tangent[1] == 0.0) return false;
+  }
+  // Less than a quarter turn in both curves: with less than that between them (else the pair is invalid
+  // anyway) the sum below cannot leave (-pi, pi).
+  if (a_in[0] * a_out[0] + a_in[1] * a_out[1] > 0.0 && b_in[0] * b_out[0] + b_in[1] * b_out[1] > 0.0)
+    return false;
   constexpr double kPi = std::numbers::pi;
   const double change = angle(a_out, b_out) - angle(a_in, b_in);
   const double turn = angle(a_in, a_out);
@@ -94,7 +144,7 @@ bool backtracks(const double* a_in, const double* a_out, const double* b_in, con
 class Check {
  public:
   Check(const Curve& a, const Curve& b, NormKind norm)
-      : pair_(a, b, norm, kChords + 1 + kHalvings),
+      : pair_(a, b, norm, kChords, kChords + 1 + kHalvings),
         signs_(pair_.is_signed() ? 2 : 1),
         seam_(a.is_closed() && b.is_closed()) {}
 
@@ -102,7 +152,7 @@ class Check {
     for (std::size_t span = 0; span < pair_.spans(); ++span) look_at_span(span);
     if (pair_.dim() == 2 && seam_) look_at_corner(first_start_);
     const std::size_t sigma = better_sign();
-    sharpen(sigma);
+    for (const Valley& valley : finders_[sigma].best(tallies_[sigma].least)) sharpen(valley, sigma);
     return summary(sigma);
   }
 
@@ -113,16 +163,13 @@ class Check {
   void look_at_span(std::size_t span) {
     pair_.enter_span(span);
     std::array<PairState, kChords + 1> states;
-    states.front() = pair_.at_start(0);
-    states.back() = pair_.at_end(kChords);
-    const double lo = states.front().u;
-    const double hi = states.back().u;
-    for (std::size_t i = 1; i < kChords; ++i) {
-      states[i] = pair_.inside(i, lo + (hi - lo) * (static_cast<double>(i) / static_cast<double>(kChords)));
+    for (std::size_t i = 0; i <= kChords; ++i) states[i] = pair_.at_node(i, i);
+    for (std::size_t sigma = 0; sigma < signs_; ++sigma) {
+      finders_[sigma].start(span, states.front().u, states.front().value[sigma]);
+      tallies_[sigma].meet(states.front(), sigma);
     }
     for (std::size_t i = 0; i < kChords; ++i) look_between(states[i], states[i + 1], kHalvings);
-    for (const PairState& state : states) meet(state);
-    find_valleys(span, states);
+    for (std::size_t sigma = 0; sigma < signs_; ++sigma) finders_[sigma].finish();
     if (pair_.dim() == 2) {
       const PlanarTangents start = planar(states.front());
       if (span == 0) {
@@ -144,15 +191,11 @@ class Check {
     backtracks_ = backtracks_ || backtracks(in, out.data(), in + 2, out.data() + 2);
   }
 
-  void meet(const PairState& state) {
-    for (std::size_t sigma = 0; sigma < signs_; ++sigma) tallies_[sigma].meet(state, sigma);
-  }
-
-  /// Adds the part between two samples to the sums; halved first where the sign might change unseen.
+  /// Adds the part between two samples to the sums, the second sample included; halved first where too much
+  /// might happen unseen.
   void look_between(const PairState& from, const PairState& to, std::size_t halvings) {
-    if (halvings > 0 && might_change_sign(from, to)) {
-      const PairState middle = pair_.inside(kChords + halvings, from.u + 0.5 * (to.u - from.u));
-      meet(middle);
+    if (halvings > 0 && might_hide_something(from, to)) {
+      const PairState middle = pair_.at(kChords + halvings, from.u + 0.5 * (to.u - from.u));
       look_between(from, middle, halvings - 1);
       look_between(middle, to, halvings - 1);
       return;
@@ -164,6 +207,8 @@ class Check {
     way_b_ += way_b;
     for (std::size_t sigma = 0; sigma < signs_; ++sigma) {
       Tally& tally = tallies_[sigma];
+      tally.meet(to, sigma);
+      finders_[sigma].next(to.u, to.value[sigma]);
       tally.dot_a += half * (from.speed_a * from.value[sigma] + to.speed_a * to.value[sigma]);
       tally.dot_b += half * (from.speed_b * from.value[sigma] + to.speed_b * to.value[sigma]);
       const double share = invalid_share(from.value[sigma], to.value[sigma]);
@@ -172,8 +217,11 @@ class Check {
     }
   }
 
-  [[nodiscard]] bool might_change_sign(const PairState& from, const PairState& to) const {
+  [[nodiscard]] bool might_hide_something(const PairState& from, const PairState& to) const {
     const double turning = pair_.turning(from, to);
+    if (turning > kCoarseTurning) return true;
+    // The curves might meet and part again, with the same direction from one to the other before and after.
+    if (std::min(from.gap, to.gap) < std::max(from.gap_speed, to.gap_speed) * (to.u - from.u)) return true;
     for (std::size_t sigma = 0; sigma < signs_; ++sigma) {
       const double low = std::min(from.margin[sigma], to.margin[sigma]);
       const double high = std::max(from.margin[sigma], to.margin[sigma]);
@@ -181,26 +229,6 @@ class Check {
       if (low <= 0.0 && high > 0.0 && turning > kFineTurning) return true;
     }
     return false;
-  }
-
-  void find_valleys(std::size_t span, const std::array<PairState, kChords + 1>& states) {
-    for (std::size_t sigma = 0; sigma < signs_; ++sigma) {
-      for (std::size_t i = 0; i <= kChords; ++i) {
-        const PairState& before = states[i == 0 ? 0 : i - 1];
-        const PairState& after = states[i == kChords ? kChords : i + 1];
-        const double here = states[i].value[sigma];
-        if (here > tallies_[sigma].least + kNearMinimum) continue;
-        const double left = before.value[sigma] - here;
-        const double right = after.value[sigma] - here;
-        if (left < 0.0 || right < 0.0) continue;
-        // At the end of a span the parabola is not known: the slope there might lead down first.
-        const bool end = i == 0 || i == kChords;
-        const double drop =
-            end ? std::max(left, right) : (left - right) * (left - right) / (8.0 * (left + right));
-        if (!(drop > kWorthSharpening)) continue;
-        valleys_[sigma].push_back({span, before.u, after.u, here});
-      }
-    }
   }
 
   /// The sign of the ruled test with which less of the length is invalid.
@@ -215,40 +243,38 @@ class Check {
     return 0.5 * share_of(tally.invalid_a, way_a_) + 0.5 * share_of(tally.invalid_b, way_b_);
   }
 
-  /// Golden section in the lowest valleys.
-  void sharpen(std::size_t sigma) {
-    std::vector<Valley>& valleys = valleys_[sigma];
-    const double highest = tallies_[sigma].least + kNearMinimum;
-    valleys.erase(std::remove_if(valleys.begin(), valleys.end(),
-                                 [highest](const Valley& valley) { return valley.value > highest; }),
-                  valleys.end());
-    const std::size_t count = std::min(kMostSharpened, valleys.size());
-    std::partial_sort(valleys.begin(), valleys.begin() + static_cast<std::ptrdiff_t>(count), valleys.end(),
-                      [](const Valley& a, const Valley& b) { return a.value < b.value; });
-    for (std::size_t i = 0; i < count; ++i) sharpen(valleys[i], sigma);
-  }
-
+  /// Golden section.
   void sharpen(const Valley& valley, std::size_t sigma) {
     constexpr double kGolden = 0.6180339887498949;
     constexpr int kSteps = 20;
     pair_.enter_span(valley.span);
     double lo = valley.lo;
     double hi = valley.hi;
-    PairState left = pair_.inside(0, hi - kGolden * (hi - lo));
-    PairState right = pair_.inside(1, lo + kGolden * (hi - lo));
+    PairState left = pair_.at(0, hi - kGolden * (hi - lo));
+    PairState right = pair_.at(1, lo + kGolden * (hi - lo));
     for (int step = 0; step < kSteps; ++step) {
       tallies_[sigma].meet(left, sigma);
       tallies_[sigma].meet(right, sigma);
       if (left.value[sigma] < right.value[sigma]) {
         hi = right.u;
         right = left;
-        left = pair_.inside(0, hi - kGolden * (hi - lo));
+        left = pair_.at(0, hi - kGolden * (hi - lo));
       } else {
         lo = left.u;
         left = right;
-        right = pair_.inside(0, lo + kGolden * (hi - lo));
+        right = pair_.at(0, lo + kGolden * (hi - lo));
       }
     }
+  }
+
+  /// Over both lengths; a point has none, and two points do not contradict each other.
+  [[nodiscard]] double mean(const Tally& tally) const {
+    if (!(way_a_ > 0.0) && !(way_b_ > 0.0)) return 1.0;
+    const double mean_a = share_of(tally.dot_a, way_a_);
+    const double mean_b = share_of(tally.dot_b, way_b_);
+    if (!(way_a_ > 0.0)) return mean_b;
+    if (!(way_b_ > 0.0)) return mean_a;
+    return 0.5 * mean_a + 0.5 * mean_b;
   }
 
   [[nodiscard]] Validity summary(std::size_t sigma) const {
@@ -258,10 +284,7 @@ class Check {
     validity.worst_u = tally.worst_u;
     validity.valid = tally.least > 0.0 && !backtracks_;
     validity.valid_share = 1.0 - invalid(tally);
-    // Where one curve is a point the other one alone has a length.
-    const double mean_a = way_a_ > 0.0 ? tally.dot_a / way_a_ : share_of(tally.dot_b, way_b_);
-    const double mean_b = way_b_ > 0.0 ? tally.dot_b / way_b_ : mean_a;
-    validity.mean_dot = 0.5 * mean_a + 0.5 * mean_b;
+    validity.mean_dot = mean(tally);
     return validity;
   }
 
@@ -269,7 +292,7 @@ class Check {
   std::size_t signs_;  ///< 2 when the sign of the ruled test is still to be chosen
   bool seam_;          ///< the end of the domain is a corner like any other
   Tally tallies_[2];
-  std::vector<Valley> valleys_[2];
+  ValleyFinder finders_[2];
   double way_a_ = 0.0;  ///< length in units of the curve's size
   double way_b_ = 0.0;
   PlanarTangents first_start_{};
