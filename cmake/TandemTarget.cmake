@@ -21,7 +21,9 @@ function(tandem_library target)
     $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   generate_export_header(${target} BASE_NAME ${target}
     EXPORT_FILE_NAME ${PROJECT_BINARY_DIR}/include/tandem/${target}_export.h)
-  set_target_properties(${target} PROPERTIES VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR})
+  # Before 1.0 a minor version may break the binary interface.
+  set_target_properties(${target} PROPERTIES
+    VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
   if(NOT TARGET tandem::${target})
     add_library(tandem::${target} ALIAS ${target})
   endif()

@@ -3,7 +3,9 @@
 namespace tandem {
 inline namespace v0 {
 
-std::string_view version() { return kVersion; }
+std::string_view version() {
+  return kVersion;
+}
 
 }  // namespace v0
 }  // namespace tandem
