@@ -1,0 +1,48 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "match_flags.h"
+
+namespace cli {
+
+/// Exit statuses (docs/interface.md).
+enum Status : int {
+  kDone = 0,
+  kNotReadOrWritten = 1,
+  kWrongUsage = 2,
+  kInvalidInput = 3,
+  kNoValidMatch = 4,
+};
+
+/// A subcommand: what it reads from the command line, and what it does.
+struct Command {
+  CLI::App* app = nullptr;
+  std::vector<std::string> inputs;
+  std::string output;
+  std::string to;
+  CommonFlags common;
+  MatchFlags match;
+  std::string blend = "auto";
+  std::string frames;
+  std::string at;
+  std::string duration = "2";
+  std::string easing = "linear";
+  std::function<Status(const Command&)> run;
+};
+
+/// Each adds its subcommand to `program` and fills `command`, which must stay where it is.
+void add_match_command(CLI::App& program, Command& command);
+void add_morph_command(CLI::App& program, Command& command);
+void add_info_command(CLI::App& program, Command& command);
+void add_convert_command(CLI::App& program, Command& command);
+
+/// The inputs as shapes. @throws UsageError unless their number lies in [least, most]; standard input named
+/// twice
+[[nodiscard]] std::vector<tandem::Shape> load_inputs(const Command& command, std::size_t least,
+                                                     std::size_t most);
+
+}  // namespace cli

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "tandem/morph/morph.h"
+#include "tandem/morph/path_morph.h"
+
+namespace cli {
+
+/// {"frames": [{"s": 0.5, "d": "M0 0C..."}, ...], REPORTS}: planar in-betweens as path data.
+[[nodiscard]] std::string format_path_frames(const tandem::PathMorph& morph,
+                                             std::span<const double> positions, const std::string& reports);
+
+/// {"frames": [{"s": 0.5, "curves": [...]}, ...], REPORTS}: in-betweens of any dimension as JSON curves.
+[[nodiscard]] std::string format_curve_frames(const tandem::Morph& morph, std::span<const double> positions,
+                                              const std::string& reports);
+
+}  // namespace cli

@@ -1,0 +1,125 @@
+#include "match_flags.h"
+
+#include <cstddef>
+#include <vector>
+
+#include "values.h"
+
+namespace cli {
+namespace {
+
+using tandem::ClosedMode;
+using tandem::Direction;
+using tandem::FillRule;
+using tandem::MatchOptions;
+using tandem::Method;
+using tandem::NormKind;
+using tandem::ReductionOptions;
+using tandem::Sampling;
+
+// The tables take about 20 bytes per pair of nodes (paper) and 800 (elastic): these numbers need 2 and 3 GB.
+constexpr int kMostPaperSamples = 10'000;
+constexpr int kMostElasticSamples = 2'000;
+constexpr int kMostCoefficients = 10'000;
+constexpr int kHighestOrder = 12;       // composition multiplies degrees; beyond this doubles do not carry it
+constexpr int kPaperCoefficients = 20;  // [C] section 3
+
+std::array<int, 2> parse_samples(const std::string& text, Method method) {
+  const int most = method == Method::paper ? kMostPaperSamples : kMostElasticSamples;
+  const std::vector<std::string> parts = split_list("--samples", text);
+  if (parts.size() > 2) throw UsageError("--samples takes M or M1,M2, not '" + text + "'");
+  const int first = parse_count("--samples", parts.front(), 2, most);
+  return {first, parts.size() == 1 ? first : parse_count("--samples", parts.back(), 2, most)};
+}
+
+std::optional<ReductionOptions> parse_reduction(const MatchFlags& flags, Method method) {
+  if (flags.reduce.empty() && flags.tolerance.empty() && flags.order.empty()) return std::nullopt;
+  if (!flags.reduce.empty() && !flags.tolerance.empty()) {
+    throw UsageError("--reduce and --tolerance exclude each other: a number of coefficients, or an error");
+  }
+  ReductionOptions reduction;
+  if (!flags.order.empty()) reduction.order = parse_count("--order", flags.order, 2, kHighestOrder);
+  if (!flags.reduce.empty()) {
+    reduction.coefficients = parse_count("--reduce", flags.reduce, reduction.order, kMostCoefficients);
+  } else if (!flags.tolerance.empty()) {
+    reduction.tolerance = parse_number("--tolerance", flags.tolerance, 1e-12, 1.0);
+  } else if (method == Method::paper) {
+    reduction.coefficients = kPaperCoefficients;
+  }
+  return reduction;
+}
+
+}  // namespace
+
+void add_common_flags(CLI::App& command, CommonFlags& flags) {
+  command.add_option("--fill-rule", flags.fill_rule, "of bare path data: nonzero, evenodd")
+      ->type_name("RULE");
+  command.add_flag("--json", flags.json, "The report as JSON on standard output");
+  command.add_flag("--quiet", flags.quiet, "No messages on standard error");
+}
+
+void add_match_flags(CLI::App& command, MatchFlags& flags) {
+  const std::string group = "Matching";
+  const auto option = [&](const char* name, std::string& value, const char* type, const char* help) {
+    command.add_option(name, value, help)->type_name(type)->group(group);
+  };
+  option("--method", flags.method, "NAME", "elastic (default), paper");
+  option("--norm", flags.norm, "NAME", "tangent (default), ruled, distance, bottleneck");
+  option("--samples", flags.samples, "M[,M2]", "Nodes per curve (128 closed, 100 open; paper: 100)");
+  option("--sampling", flags.sampling, "NAME", "arc, parameter, curvature (arc; paper: parameter)");
+  option("--features", flags.features, "NAME", "tangent (default), tangent+curvature");
+  option("--reduce", flags.reduce, "N", "Coefficients of v (paper: 20)");
+  option("--tolerance", flags.tolerance, "X",
+         "Error of v allowed, as a share of its domain (elastic: 0.001)");
+  option("--order", flags.order, "K", "Order of v: 2 is piecewise linear (default)");
+  option("--direction", flags.direction, "NAME", "auto (default), forward, reversed");
+  option("--closed", flags.closed, "NAME", "auto (default), yes, no, pinned");
+  option("--low-pass", flags.low_pass, "X",
+         "Smooth the samples first: deviation as a share of the length (0)");
+  option("--threads", flags.threads, "N", "Threads to use (all); the result does not depend on it");
+  command.add_flag("--coarse-to-fine", flags.coarse_to_fine, "Faster, but not exact")->group(group);
+  command.add_flag("--rotate", flags.rotate, "Find the best turn (not available yet)")->group(group);
+  command.add_flag("--no-rotate", flags.no_rotate, "Leave the curves as they lie (default)")->group(group);
+  command.add_flag("--strict", flags.strict, "Exit with 4 and write nothing when there is no valid match")
+      ->group(group);
+}
+
+tandem::LoadOptions to_load_options(const CommonFlags& flags) {
+  return {.fill_rule = choose<FillRule>("--fill-rule", flags.fill_rule,
+                                        {{"nonzero", FillRule::nonzero}, {"evenodd", FillRule::evenodd}})};
+}
+
+MatchOptions to_match_options(const MatchFlags& flags) {
+  if (flags.rotate) throw UsageError("--rotate is not available yet; curves are matched as they lie");
+  MatchOptions options;
+  options.method = choose<Method>("--method", flags.method,
+                                  {{"elastic", Method::elastic}, {"paper", Method::paper}}, {"segments"});
+  options.norm = choose<NormKind>("--norm", flags.norm,
+                                  {{"tangent", NormKind::tangent},
+                                   {"ruled", NormKind::ruled},
+                                   {"distance", NormKind::distance},
+                                   {"bottleneck", NormKind::bottleneck}});
+  if (!flags.samples.empty()) options.samples = parse_samples(flags.samples, options.method);
+  if (!flags.sampling.empty()) {
+    options.sampling = choose<Sampling>(
+        "--sampling", flags.sampling,
+        {{"arc", Sampling::arc}, {"parameter", Sampling::parameter}, {"curvature", Sampling::curvature}});
+  }
+  options.features.curvature =
+      choose<bool>("--features", flags.features, {{"tangent", false}, {"tangent+curvature", true}});
+  options.reduction = parse_reduction(flags, options.method);
+  options.direction = choose<Direction>(
+      "--direction", flags.direction,
+      {{"auto", Direction::automatic}, {"forward", Direction::forward}, {"reversed", Direction::reversed}});
+  options.closed = choose<ClosedMode>("--closed", flags.closed,
+                                      {{"auto", ClosedMode::automatic},
+                                       {"yes", ClosedMode::yes},
+                                       {"no", ClosedMode::no},
+                                       {"pinned", ClosedMode::pinned}});
+  if (!flags.low_pass.empty()) options.low_pass = parse_number("--low-pass", flags.low_pass, 0.0, 0.5);
+  options.coarse_to_fine = flags.coarse_to_fine;
+  if (!flags.threads.empty()) options.threads = parse_count("--threads", flags.threads, 1, 1024);
+  return options;
+}
+
+}  // namespace cli

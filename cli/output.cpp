@@ -1,0 +1,182 @@
+#include "output.h"
+
+#include <fmt/format.h>
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <system_error>
+
+#include "interrupt.h"
+#include "tandem/error.h"
+#include "tandem/io/files.h"
+#include "usage_error.h"
+
+namespace cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Ending {
+  std::string_view text;
+  Format format;
+};
+constexpr std::array kEndings = {Ending{".json", Format::json}, Ending{".svg", Format::svg},
+                                 Ending{".html", Format::html}, Ending{".itd", Format::itd}};
+constexpr std::array<std::string_view, 3> kLater = {".lottie.json", ".css", ".gif"};
+
+std::string words(const std::vector<Format>& allowed, std::string_view dot) {
+  std::string text;
+  for (const Ending& ending : kEndings) {
+    if (std::find(allowed.begin(), allowed.end(), ending.format) == allowed.end()) continue;
+    text += fmt::format("{}{}{}", text.empty() ? "" : ", ", dot, ending.text.substr(1));
+  }
+  return text;
+}
+
+bool allows(const std::vector<Format>& allowed, Format format) {
+  return std::find(allowed.begin(), allowed.end(), format) != allowed.end();
+}
+
+[[noreturn]] void fail(const fs::path& path, std::string_view what, int error) {
+  throw tandem::IoError(fmt::format("{}: {}: {}", path.string(), what, std::strerror(error)));
+}
+
+bool is_frame_name(const std::string& name) {
+  constexpr std::string_view kHead = "frame_";
+  constexpr std::string_view kTail = ".svg";
+  if (name.size() <= kHead.size() + kTail.size() || name.rfind(kHead, 0) != 0) return false;
+  if (name.compare(name.size() - kTail.size(), kTail.size(), kTail) != 0) return false;
+  return std::all_of(name.begin() + kHead.size(), name.end() - kTail.size(),
+                     [](unsigned char c) { return std::isdigit(c) != 0; });
+}
+
+void check_replaceable(const fs::path& directory) {
+  std::error_code error;
+  if (!fs::exists(directory, error)) return;
+  if (!fs::is_directory(directory, error)) fail(directory, "is not a directory", ENOTDIR);
+  for (const fs::directory_entry& entry : fs::directory_iterator(directory, error)) {
+    if (is_frame_name(entry.path().filename().string()) && entry.is_regular_file(error)) continue;
+    throw tandem::IoError(
+        fmt::format("{}: holds other files than frames ({}); choose a new or an empty directory",
+                    directory.string(), entry.path().filename().string()));
+  }
+  if (error) fail(directory, "cannot be read", error.value());
+}
+
+/// A directory that is removed again unless it was handed over.
+class TemporaryDirectory {
+ public:
+  explicit TemporaryDirectory(const fs::path& beside) {
+    std::string name = fmt::format("{}.tmp-XXXXXX", beside.string());
+    if (mkdtemp(name.data()) == nullptr) fail(beside, "cannot be made", errno);
+    path_ = name;
+    const mode_t mask = umask(0);
+    umask(mask);
+    chmod(name.c_str(), 0777 & ~mask);  // mkdtemp makes it private
+  }
+  ~TemporaryDirectory() {
+    std::error_code ignored;
+    if (!path_.empty()) fs::remove_all(path_, ignored);
+  }
+  TemporaryDirectory(const TemporaryDirectory&) = delete;
+  TemporaryDirectory& operator=(const TemporaryDirectory&) = delete;
+
+  [[nodiscard]] const fs::path& path() const noexcept { return path_; }
+
+  void take_name(const fs::path& target) {
+    std::error_code error;
+    fs::rename(path_, target, error);  // works on a missing and on an empty directory
+    if (error) replace(target);
+    path_.clear();
+  }
+
+ private:
+  void replace(const fs::path& target) {
+    const fs::path old = path_.string() + ".old";
+    std::error_code error;
+    fs::rename(target, old, error);
+    if (error) fail(target, "cannot be replaced", error.value());
+    fs::rename(path_, target, error);
+    if (error) {
+      const int reason = error.value();
+      fs::rename(old, target, error);
+      fail(target, "cannot be replaced", reason);
+    }
+    fs::remove_all(old, error);
+  }
+
+  fs::path path_;
+};
+
+}  // namespace
+
+Format output_format(const std::string& path, const std::string& to, const std::vector<Format>& allowed) {
+  if (!to.empty()) {
+    for (const Ending& ending : kEndings) {
+      if (to == ending.text.substr(1) && allows(allowed, ending.format)) return ending.format;
+    }
+    throw UsageError(fmt::format("--to takes one of {}, not '{}'", words(allowed, ""), to));
+  }
+  if (path == "-") return Format::json;
+  std::error_code error;
+  if (allows(allowed, Format::directory) && (path.back() == '/' || fs::is_directory(path, error))) {
+    return Format::directory;
+  }
+  std::string lower = path;
+  std::transform(lower.begin(), lower.end(), lower.begin(), [](unsigned char c) { return std::tolower(c); });
+  const auto ends_with = [&](std::string_view ending) {
+    return lower.size() > ending.size() &&
+           lower.compare(lower.size() - ending.size(), ending.size(), ending) == 0;
+  };
+  for (const std::string_view later : kLater) {
+    if (ends_with(later)) throw UsageError(fmt::format("{}: {} is not available yet", path, later));
+  }
+  for (const Ending& ending : kEndings) {
+    if (ends_with(ending.text) && allows(allowed, ending.format)) return ending.format;
+  }
+  throw UsageError(fmt::format("{}: the ending does not tell a format; there is {}{}, or use --to", path,
+                               words(allowed, "."),
+                               allows(allowed, Format::directory) ? ", DIRECTORY/" : ""));
+}
+
+void write_output(const std::string& path, std::string_view content) {
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  // A pipe may keep us waiting, and nothing of it can be taken back: Ctrl-C ends the program there as usual.
+  if (path == "-" || (fs::exists(status) && !fs::is_regular_file(status)))
+    return tandem::write_file(path, content);
+  {
+    const WritingScope writing;
+    tandem::write_file(path, content);
+  }
+  throw_if_interrupted();
+}
+
+void write_frame_directory(const std::string& path, std::size_t count,
+                           const std::function<std::string(std::size_t)>& content) {
+  std::error_code error;
+  fs::path target =
+      fs::weakly_canonical(path, error);  // a link to a directory stays one; no slash at the end
+  if (error) fail(path, "cannot be written", error.value());
+  if (!target.has_filename()) target = target.parent_path();
+  check_replaceable(target);
+  const int digits = std::max(3, static_cast<int>(fmt::format("{}", count - 1).size()));
+  {
+    const WritingScope writing;
+    TemporaryDirectory temporary(target);
+    for (std::size_t i = 0; i < count; ++i) {
+      throw_if_interrupted();
+      tandem::write_file((temporary.path() / fmt::format("frame_{:0{}}.svg", i, digits)).string(),
+                         content(i));
+    }
+    temporary.take_name(target);
+  }
+}
+
+}  // namespace cli

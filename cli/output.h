@@ -1,0 +1,27 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace cli {
+
+enum class Format { json, svg, html, itd, directory };
+
+/// The format of an output: `to` when given, else by the ending of `path`; "-" is JSON.
+/// allowed: what the command can write.
+/// @throws UsageError an ending that the command does not know
+[[nodiscard]] Format output_format(const std::string& path, const std::string& to,
+                                   const std::vector<Format>& allowed);
+
+/// tandem::write_file, and Ctrl-C waits until the file is whole. @throws tandem::IoError; Interrupted
+void write_output(const std::string& path, std::string_view content);
+
+/// Writes the files name(0..count-1) with content(i) as a whole directory or not at all. An existing
+/// directory is replaced if it is empty or holds nothing but frames of an earlier run.
+/// @throws tandem::IoError; Interrupted; and what `content` throws
+void write_frame_directory(const std::string& path, std::size_t count,
+                           const std::function<std::string(std::size_t)>& content);
+
+}  // namespace cli

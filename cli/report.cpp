@@ -1,0 +1,226 @@
+#include "report.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string_view>
+
+#include "tandem/io/json.h"
+#include "tandem/version.h"
+
+namespace cli {
+namespace {
+
+using tandem::Match;
+using tandem::MatchReport;
+
+std::string_view name(tandem::Method method) {
+  return method == tandem::Method::paper ? "paper" : "elastic";
+}
+
+std::string_view name(tandem::Sampling sampling) {
+  switch (sampling) {
+    case tandem::Sampling::arc:
+      return "arc";
+    case tandem::Sampling::parameter:
+      return "parameter";
+    case tandem::Sampling::curvature:
+      return "curvature";
+  }
+  return "";
+}
+
+std::string_view name(tandem::Direction direction) {
+  return direction == tandem::Direction::reversed ? "reversed" : "forward";
+}
+
+/// Sums and means over all pairs; means are weighted with the length of both contours.
+struct Totals {
+  double cost = 0.0;
+  double mean_cost = 0.0;
+  int invalid_nodes = 0;
+  double invalid_length = 0.0;
+  double min_dot = std::numeric_limits<double>::infinity();
+  double valid_share = 0.0;
+  MatchReport::Seconds seconds;
+};
+
+Totals add_up(const ShapeReport& report) {
+  Totals totals;
+  if (report.pairs.empty()) return {.min_dot = 1.0, .valid_share = 1.0};  // nothing that could be invalid
+  double weights = 0.0;
+  for (const ContourMatch& pair : report.pairs)
+    weights += pair.match->samples_a.length + pair.match->samples_b.length;
+  for (const ContourMatch& pair : report.pairs) {
+    const MatchReport& r = pair.match->report;
+    const double length = pair.match->samples_a.length + pair.match->samples_b.length;
+    const double weight = weights > 0.0 && std::isfinite(weights)
+                              ? length / weights
+                              : 1.0 / static_cast<double>(report.pairs.size());
+    totals.cost += r.cost;
+    totals.mean_cost += weight * r.mean_cost;
+    totals.invalid_nodes += r.invalid_nodes;
+    totals.invalid_length += weight * r.invalid_length;
+    totals.min_dot = std::min(totals.min_dot, r.validity.min_dot);
+    totals.valid_share += weight * r.validity.valid_share;
+    totals.seconds.sample += r.seconds.sample;
+    totals.seconds.match += r.seconds.match;
+    totals.seconds.fit += r.seconds.fit;
+    totals.seconds.compose += r.seconds.compose;
+  }
+  return totals;
+}
+
+std::string format_seconds(const MatchReport::Seconds& seconds) {
+  return fmt::format(R"({{"sample": {}, "match": {}, "fit": {}, "compose": {}}})",
+                     json_number(seconds.sample), json_number(seconds.match), json_number(seconds.fit),
+                     json_number(seconds.compose));
+}
+
+std::string format_indices(const std::vector<std::size_t>& indices) {
+  std::string text = "[";
+  for (const std::size_t i : indices) text += fmt::format("{}{}", text.size() == 1 ? "" : ", ", i);
+  return text + "]";
+}
+
+bool is_one_pair(const ShapeReport& report) {
+  return report.pairs.size() == 1 && report.unmatched_a.empty() && report.unmatched_b.empty();
+}
+
+std::string percent(double share) {
+  return fmt::format("{:.4g} %", 100.0 * share);
+}
+
+std::string format_contour_table(const Match& match) {
+  const MatchReport& r = match.report;
+  const bool paper = r.method == tandem::Method::paper;
+  const tandem::Curve& v = match.reparametrization.v;
+  std::string text;
+  text += fmt::format("cost         {:.6g} (mean {:.4g} per {})\n", r.cost, r.mean_cost,
+                      paper ? "node" : "unit of length");
+  text += fmt::format("valid        {} (smallest <T1,T2> {:.4g}, > 0 on {} of the length)\n",
+                      r.validity.valid ? "yes" : "no", r.validity.min_dot, percent(r.validity.valid_share));
+  text += fmt::format("direction    {}\n", name(r.direction));
+  if (match.correspondence.closed)
+    text += fmt::format("shift        {} of {} samples\n", r.shift, r.samples[1]);
+  text += fmt::format("samples      {} and {}, by {}\n", r.samples[0], r.samples[1], name(r.sampling));
+  text += fmt::format("v(u)         order {}, {} coefficients, within {} of its domain\n", v.degree() + 1,
+                      v.size(), percent(match.reparametrization.max_deviation));
+  text +=
+      fmt::format("method       {}, norm {}{}\n", name(r.method), r.norm, r.exact ? "" : ", coarse to fine");
+  text += fmt::format("milliseconds sample {:.3f}, match {:.3f}, fit {:.3f}, compose {:.3f}\n",
+                      1e3 * r.seconds.sample, 1e3 * r.seconds.match, 1e3 * r.seconds.fit,
+                      1e3 * r.seconds.compose);
+  return text;
+}
+
+}  // namespace
+
+bool ShapeReport::valid() const {
+  return std::all_of(pairs.begin(), pairs.end(),
+                     [](const ContourMatch& pair) { return pair.match->report.validity.valid; });
+}
+
+std::string trimmed(std::string text) {
+  text.erase(text.find_last_not_of(" \n") + 1);
+  return text;
+}
+
+ShapeReport make_report(std::size_t contours_a, std::size_t contours_b,
+                        const std::function<const Match*(std::size_t)>& match_of) {
+  ShapeReport report;
+  for (std::size_t i = 0; i < std::max(contours_a, contours_b); ++i) {
+    const Match* match = i < std::min(contours_a, contours_b) ? match_of(i) : nullptr;
+    if (match != nullptr) {
+      report.pairs.push_back({i, i, match});
+      continue;
+    }
+    if (i < contours_a) report.unmatched_a.push_back(i);
+    if (i < contours_b) report.unmatched_b.push_back(i);
+  }
+  return report;
+}
+
+std::string json_number(double value) {
+  return std::isfinite(value) ? fmt::format("{}", value) : "null";
+}
+
+std::string json_string(std::string_view text) {
+  std::string json = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') {
+      json += '\\';
+      json += c;
+    } else if (static_cast<unsigned char>(c) < 0x20) {
+      json += fmt::format("\\u{:04x}", static_cast<unsigned>(c));
+    } else {
+      json += c;
+    }
+  }
+  return json + '"';
+}
+
+std::string format_report(const ShapeReport& report) {
+  if (is_one_pair(report)) {
+    return trimmed(tandem::format_json_report(*report.pairs.front().match));
+  }
+  const Totals totals = add_up(report);
+  std::string text = fmt::format(R"({{"tandem": {}, )", json_string(tandem::version()));
+  if (!report.pairs.empty()) {
+    const MatchReport& first = report.pairs.front().match->report;
+    text += fmt::format(R"("method": "{}", "norm": "{}", "sampling": "{}", )", name(first.method), first.norm,
+                        name(first.sampling));
+  }
+  text += fmt::format(
+      R"("cost": {}, "mean_cost": {}, "invalid_nodes": {}, "invalid_length": {}, "valid": {}, "min_dot": {}, )"
+      R"("valid_share": {}, "contours": [)",
+      json_number(totals.cost), json_number(totals.mean_cost), totals.invalid_nodes,
+      json_number(totals.invalid_length), report.valid(), json_number(totals.min_dot),
+      json_number(totals.valid_share));
+  for (const ContourMatch& pair : report.pairs) {
+    const std::string fields = trimmed(tandem::format_json_report(*pair.match));
+    text += fmt::format("{}{{\"a\": {}, \"b\": {}, {}", &pair == report.pairs.data() ? "" : ", ", pair.a,
+                        pair.b, std::string_view(fields).substr(fields.find_first_not_of(" \n", 1)));
+  }
+  text += fmt::format(R"(], "unmatched": {{"a": {}, "b": {}}}, "seconds": {}}})",
+                      format_indices(report.unmatched_a), format_indices(report.unmatched_b),
+                      format_seconds(totals.seconds));
+  return text;
+}
+
+std::string format_table(const ShapeReport& report) {
+  if (is_one_pair(report)) return format_contour_table(*report.pairs.front().match);
+  std::string text = fmt::format("{:>3} {:>3}  {:>10}  {:>5}  {:>8}  {:>9}  {:>9}  {:>6}  {:>9}\n", "A", "B",
+                                 "cost", "valid", "smallest", "valid on", "direction", "shift", "samples");
+  for (const ContourMatch& pair : report.pairs) {
+    const MatchReport& r = pair.match->report;
+    text += fmt::format("{:>3} {:>3}  {:>10.5g}  {:>5}  {:>8.4f}  {:>9}  {:>9}  {:>6}  {:>9}\n", pair.a,
+                        pair.b, r.cost, r.validity.valid ? "yes" : "no", r.validity.min_dot,
+                        percent(r.validity.valid_share), name(r.direction), r.shift,
+                        fmt::format("{},{}", r.samples[0], r.samples[1]));
+  }
+  const Totals totals = add_up(report);
+  text += fmt::format("all      {:>10.5g}  {:>5}  {:>8.4f}  {:>9}\n", totals.cost,
+                      report.valid() ? "yes" : "no", totals.min_dot, percent(totals.valid_share));
+  for (const std::size_t i : report.unmatched_a) text += fmt::format("{:>3}   -  no partner\n", i);
+  for (const std::size_t i : report.unmatched_b) text += fmt::format("  - {:>3}  no partner\n", i);
+  return text;
+}
+
+void warn(const Messages& messages, const ShapeReport& report) {
+  if (!report.valid()) {
+    const Totals totals = add_up(report);
+    messages.warning(
+        fmt::format("no valid match found; this one is valid on {} of the length, smallest <T1,T2> {:.4g}",
+                    percent(totals.valid_share), totals.min_dot));
+  }
+  if (!report.unmatched_a.empty() || !report.unmatched_b.empty()) {
+    const std::size_t paired = report.pairs.size();
+    messages.warning(fmt::format("{} contours against {}: those that are left over have no partner",
+                                 paired + report.unmatched_a.size(), paired + report.unmatched_b.size()));
+  }
+}
+
+}  // namespace cli
