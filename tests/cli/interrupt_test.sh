@@ -1,0 +1,68 @@
+# Ctrl-C ends the work with 130 and leaves nothing behind.
+source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
+set -m # jobs in groups of their own, with Ctrl-C not ignored
+
+circle='M10 0A10 10 0 1 1 -10 0A10 10 0 1 1 10 0Z'
+wave="M0 0$(printf 'q5 9 10 0t10 0%.0s' {1..40})V-30H0Z"
+long=(--method paper --samples 4000 --quiet) # minutes
+
+# interrupted WANTED SIGNAL ARG...: the signal arrives in the middle of the work, which ends with this status.
+interrupted() {
+  local wanted=$1 signal=$2
+  shift 2
+  "$TANDEM" "$@" >.out 2>.err </dev/null &
+  local job=$!
+  sleep 0.7
+  kill "-$signal" "$job" 2>/dev/null || fail "the work was over before the signal came"
+  wait "$job" 2>/dev/null
+  status=$?
+  out=$(head -c 1000 .out)
+  err=$(<.err)
+  that "status $wanted after $signal: tandem ${*:0:40}" test "$status" == "$wanted"
+}
+
+interrupted 130 INT match "$circle" "$wave" "${long[@]}" -o out.json
+interrupted 130 INT match "$circle" "$wave" "${long[@]}" --json
+out_empty
+interrupted 130 INT match "$circle" "$wave" --method paper --samples 4000
+err_empty # standard error is no terminal: no bar, and the shell knows why it ended
+interrupted 130 INT morph "$circle" "$wave" "${long[@]}" -o frames/
+interrupted 143 TERM morph "$circle" "$wave" "${long[@]}" -o out.svg
+
+# While frames are written: the directory is taken away again.
+interrupted 130 INT morph 'M0 0L4 4' 'M0 1L5 2' -o many/ --frames 100000 --quiet
+
+# Work that does not look up for a while: the second signal ends it at once.
+"$TANDEM" match "$circle" "$wave" --samples 2000 -o out.json >.out 2>.err </dev/null &
+job=$!
+sleep 0.5
+kill -INT "$job"
+sleep 0.2
+kill -INT "$job" 2>/dev/null
+start=$SECONDS
+wait "$job" 2>/dev/null
+that "130 after the second Ctrl-C" test $? == 130
+that "at once" test $((SECONDS - start)) -le 3
+
+# Waiting for standard input is left at once.
+mkfifo pipe
+sleep 20 >pipe &
+"$TANDEM" info - <pipe >.out 2>.err &
+job=$!
+sleep 0.3
+kill -INT "$job"
+wait "$job" 2>/dev/null
+that "130 after Ctrl-C while waiting for input" test $? == 130
+kill %+ 2>/dev/null
+rm pipe
+
+# A signal that the caller ignores stays ignored.
+(trap '' INT && exec "$TANDEM" match "$circle" "$wave" --method paper --samples 600 -o ignored.json --quiet) &
+job=$!
+sleep 0.2
+kill -INT "$job"
+wait "$job" 2>/dev/null
+that "an ignored Ctrl-C does nothing" test $? == 0
+
+only ignored.json
+finish

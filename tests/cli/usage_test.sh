@@ -1,0 +1,102 @@
+# Wrong usage: exit status 2, a message that helps, nothing on standard output.
+source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
+
+wrong() { # wrong PATTERN ARG...
+  local pattern=$1
+  shift
+  expect 2 "$@"
+  out_empty
+  err_has "$pattern"
+}
+
+expect 0 --version
+out_has '^tandem [0-9]+\.[0-9]+\.[0-9]+$'
+err_empty
+expect 0 --help
+out_has 'match.*morph.*info.*convert'
+expect 0 match --help
+out_has '--norm'
+expect 0 morph -h
+out_has '--easing'
+
+wrong 'Usage|usage'
+wrong 'did you mean match' mach "$square" "$triangle"
+wrong 'align is not available yet' align "$square" "$triangle"
+wrong 'no option --versoin; did you mean --version' --versoin
+wrong 'match has no option --metod; did you mean --method' match "$square" "$triangle" --metod paper
+wrong 'did you mean --samples' match --sample=20 "$square" "$triangle"
+wrong 'no option -x' match "$square" "$triangle" -x
+wrong '--pin is not available yet' match "$square" "$triangle" --pin '0,0=1,1'
+wrong 'takes 2 curves or shapes, not 1' match "$square"
+wrong 'takes 2 curves or shapes, not 3' match "$square" "$square" "$square"
+wrong 'takes 2 or more' morph "$square" -o out.svg
+wrong 'takes 1 curve or shape, not 0' info
+wrong 'only once' match - -
+
+wrong 'segments is not available yet' match "$square" "$triangle" --method segments
+wrong 'one of elastic, paper, not' match "$square" "$triangle" --method Paper
+wrong 'one of tangent, ruled, distance, bottleneck, not' match "$square" "$triangle" --norm angle
+wrong '--samples takes a whole number' match "$square" "$triangle" --samples 1
+wrong '--samples' match "$square" "$triangle" --samples 99999999999999999999
+wrong '--samples takes a whole number from 2 to 2000' match "$square" "$triangle" --samples 2001
+wrong '--samples takes a whole number from 2 to 10000' match "$square" "$triangle" --samples 10001 --method paper
+wrong '--samples' match "$square" "$triangle" --samples -5
+wrong '--samples' match "$square" "$triangle" --samples ''
+wrong '--samples' match "$square" "$triangle" --samples 10,
+wrong '--samples' match "$square" "$triangle" --samples 10,20,30
+wrong '--samples' match "$square" "$triangle" --samples nan
+wrong '--sampling' match "$square" "$triangle" --sampling even
+wrong '--features' match "$square" "$triangle" --features curvature
+wrong '--tolerance takes a finite number' match "$square" "$triangle" --tolerance nan
+wrong '--tolerance takes a finite number' match "$square" "$triangle" --tolerance inf
+wrong '--tolerance needs a value' match "$square" "$triangle" --tolerance ''
+wrong '--tolerance takes a finite number' match "$square" "$triangle" --tolerance 0x1
+wrong '--tolerance takes a finite number' match "$square" "$triangle" --tolerance 1e-3x
+wrong '--tolerance takes a number from' match "$square" "$triangle" --tolerance 0
+wrong '--tolerance takes a number from' match "$square" "$triangle" --tolerance -1
+wrong 'exclude each other' match "$square" "$triangle" --tolerance 1e-3 --reduce 20
+wrong '--reduce takes a whole number from 4' match "$square" "$triangle" --reduce 3 --order 4
+wrong '--order' match "$square" "$triangle" --order 1
+wrong '--direction' match "$square" "$triangle" --direction back
+wrong '--closed' match "$square" "$triangle" --closed maybe
+wrong '--low-pass' match "$square" "$triangle" --low-pass nan
+wrong '--threads' match "$square" "$triangle" --threads 0
+wrong '--rotate is not available yet' match "$square" "$triangle" --rotate
+wrong '--fill-rule' match "$square" "$triangle" --fill-rule odd
+wrong 'requires|required|missing' match "$square" "$triangle" --norm
+wrong 'ending' match "$square" "$triangle" -o out.txt
+wrong 'ending' match "$square" "$triangle" -o out.html
+wrong '-o.*needs a value' match "$square" "$triangle" -o ''
+wrong '--to takes one of json, svg' match "$square" "$triangle" -o - --to html
+
+wrong 'morph needs -o' morph "$square" "$triangle"
+wrong '\.gif is not available yet' morph "$square" "$triangle" -o out.gif
+wrong '\.css is not available yet' morph "$square" "$triangle" -o out.css
+wrong '\.lottie\.json is not available yet' morph "$square" "$triangle" -o out.lottie.json
+wrong 'hermite is not available yet' morph "$square" "$triangle" -o out.svg --blend hermite
+wrong '--blend takes one of' morph "$square" "$triangle" -o out.svg --blend linear
+wrong '--at takes a finite number' morph "$square" "$triangle" -o - --at 0,nan
+wrong '--at takes a list' morph "$square" "$triangle" -o - --at 0,,1
+wrong '--at' morph "$square" "$triangle" -o - --at ''
+wrong '--at' morph "$square" "$triangle" -o out.html --at 0.5
+wrong 'takes one number' morph "$square" "$triangle" -o out.svg --at 0,1
+wrong 'exclude each other' morph "$square" "$triangle" -o - --at 0 --frames 3
+wrong '--frames' morph "$square" "$triangle" -o - --frames 1
+wrong '--frames' morph "$square" "$triangle" -o - --frames 1e3
+wrong '--duration' morph "$square" "$triangle" -o out.svg --duration 0
+wrong '--duration' morph "$square" "$triangle" -o out.svg --duration inf
+wrong '--easing' morph "$square" "$triangle" -o out.svg --easing bouncy
+wrong '--easing' morph "$square" "$triangle" -o out.svg --easing 2,0,1,1
+wrong '--easing' morph "$square" "$triangle" -o out.svg --easing 0,nan,1,1
+wrong '--easing' morph "$square" "$triangle" -o out.svg --easing ''
+wrong 'convert needs -o' convert "$square"
+wrong 'ending' convert "$square" -o out.html
+wrong ending convert "$square" -o out
+
+# Silence is total.
+expect 2 match "$square" --quiet
+out_empty
+err_empty
+
+only
+finish
