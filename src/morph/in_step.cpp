@@ -14,39 +14,95 @@ namespace tandem {
 inline namespace v0 {
 namespace {
 
-using Curves = std::vector<std::optional<Curve>>;
+using Matches = std::vector<std::optional<Match>>;
+
+// One contour through the keys so far; empty where a key has none, or a mere point.
+struct Chain {
+  std::vector<std::optional<Curve>> curves;
+  std::optional<std::size_t> last;  // newest key that has the contour
+
+  [[nodiscard]] const Curve& newest() const { return *curves[*last]; }
+  [[nodiscard]] bool all_closed() const {
+    return std::all_of(curves.begin(), curves.end(), [](const auto& c) { return !c || c->is_closed(); });
+  }
+  void set(std::size_t key, Curve curve) {
+    // A match may have cut the closed curves open elsewhere: those before it follow.
+    for (std::optional<Curve>& earlier : curves) {
+      if (earlier && !(earlier->domain() == curve.domain())) {
+        earlier = move_seam(*earlier, curve.domain().lo);
+      }
+    }
+    curves[key] = std::move(curve);
+    last = key;
+  }
+};
+
+const Curve* source(const Shape& key, std::size_t contour) {
+  return contour < key.contours.size() ? &key.contours[contour] : nullptr;
+}
 
 bool has_extent(const Curve* curve) {
   return curve != nullptr && curve->extent() > 0.0;
 }
 
-// The curves so far, moved to the domain that the last match cut them open at.
-void follow_cut(Curves& curves, Interval domain) {
-  for (std::optional<Curve>& curve : curves) {
-    if (curve && !(curve->domain() == domain)) curve = move_seam(*curve, domain.lo);
+// The whole work as equal parts, one per pair of neighbouring keys and contour.
+class Work {
+ public:
+  Work(const Progress& progress, std::size_t parts) : progress_(progress), parts_(parts) {}
+
+  [[nodiscard]] Progress part() const {
+    if (!progress_) return {};
+    return [this](double fraction) { return progress_((done_ + fraction) / parts_); };
   }
-}
+  // A part that has to be done again: asks whether to go on, without counting.
+  [[nodiscard]] Progress again() const {
+    if (!progress_) return {};
+    return [this](double) { return progress_(std::min(done_ / parts_, 1.0)); };
+  }
+  void finish_part() { done_ += 1.0; }
 
-bool all_closed(const Curves& curves) {
-  return std::all_of(curves.begin(), curves.end(), [](const auto& c) { return !c || c->is_closed(); });
-}
+ private:
+  const Progress& progress_;
+  double parts_;
+  double done_ = 0.0;
+};
 
-Match match_keys(const Curve& a, const Curve& b, std::size_t key, std::size_t contour,
-                 const MatchOptions& options) {
+Match match_next(const Chain& chain, const Curve& curve, std::size_t key, std::size_t contour,
+                 MatchOptions options) {
+  // A closed curve may be cut open for an open one only if the keys before it can be cut there too.
+  if (options.closed == ClosedMode::automatic && !curve.is_closed() && !chain.all_closed()) {
+    options.closed = ClosedMode::no;
+  }
   try {
-    return match(a, b, options);
+    return match(chain.newest(), curve, options);
   } catch (const InvalidArgument& error) {
     throw InvalidArgument(
-        fmt::format("contour {} of keys {} and {}: {}", contour, key, key + 1, error.what()));
+        fmt::format("contour {} of keys {} and {}: {}", contour, key - 1, key, error.what()));
   }
+}
+
+bool is_filled(const Match& found) {
+  return found.correspondence.closed;
+}
+
+// The direction in which most of the length of the filled contours was matched; forward on a tie.
+Direction common_direction(const Matches& matches) {
+  double forward = 0.0;
+  double reversed = 0.0;
+  for (const std::optional<Match>& found : matches) {
+    if (!found || !is_filled(*found)) continue;
+    const double length = found->samples_a.length + found->samples_b.length;
+    (found->report.direction == Direction::reversed ? reversed : forward) += length;
+  }
+  return reversed > forward ? Direction::reversed : Direction::forward;
 }
 
 // Index of the nearest key that has the contour, the earlier one on a tie.
-template <class Has>
-std::size_t nearest(std::size_t key, std::size_t count, Has has) {
-  for (std::size_t distance = 0; distance < count; ++distance) {
-    if (distance <= key && has(key - distance)) return key - distance;
-    if (key + distance < count && has(key + distance)) return key + distance;
+std::size_t nearest_with(std::span<const Shape> keys, std::size_t contour, std::size_t key) {
+  for (std::size_t distance = 0; distance < keys.size(); ++distance) {
+    if (distance <= key && source(keys[key - distance], contour) != nullptr) return key - distance;
+    if (key + distance < keys.size() && source(keys[key + distance], contour) != nullptr)
+      return key + distance;
   }
   return key;
 }
@@ -57,69 +113,117 @@ Curve collapsed(const Curve& like, std::span<const double> center) {
   return Curve(like.degree(), like.knots(), std::move(points), like.weights());
 }
 
-// Fills the gaps of `compatible`, whose curves are those of the keys that have the contour.
-std::vector<Curve> fill_gaps(const std::vector<const Curve*>& sources, const Curves& in_step,
-                             const std::vector<Curve>& compatible) {
+// The chain's curves in one function space, its gaps filled by points.
+std::vector<Curve> completed(const Chain& chain, std::span<const Shape> keys, std::size_t contour) {
+  std::vector<Curve> present;
+  for (const std::optional<Curve>& curve : chain.curves) {
+    if (curve) present.push_back(*curve);
+  }
+  if (present.empty()) {  // points throughout
+    present.push_back(*source(keys[nearest_with(keys, contour, 0)], contour));
+  } else {
+    present = with_common_denominator(present);
+  }
   std::vector<Curve> curves;
   std::size_t next = 0;
-  for (std::size_t key = 0; key < sources.size(); ++key) {
-    if (in_step[key]) {
-      curves.push_back(compatible[next++]);
-      continue;
+  for (std::size_t key = 0; key < keys.size(); ++key) {
+    if (chain.curves[key]) {
+      curves.push_back(present[next++]);
+    } else {
+      const Curve& stand_in = *source(keys[nearest_with(keys, contour, key)], contour);
+      curves.push_back(collapsed(present.front(), bounding_box(stand_in).center()));
     }
-    // A point stays where it is; what is missing stands in for the nearest key.
-    const std::size_t from =
-        nearest(key, sources.size(), [&](std::size_t k) { return sources[k] != nullptr; });
-    curves.push_back(collapsed(compatible.front(), bounding_box(*sources[from]).center()));
   }
   return curves;
 }
 
+class KeyMatcher {
+ public:
+  KeyMatcher(std::span<const Shape> keys, bool one_direction, const MatchOptions& options,
+             std::size_t contours)
+      : keys_(keys),
+        one_direction_(one_direction),
+        options_(options),
+        chains_(contours, Chain{std::vector<std::optional<Curve>>(keys.size()), {}}),
+        work_(options.progress, (keys.size() - 1) * contours) {}
+
+  // Puts `key` in step with the one before it; nothing when cancelled.
+  std::optional<Matches> add(std::size_t key) {
+    Matches matches(chains_.size());
+    for (std::size_t c = 0; c < chains_.size(); ++c) {
+      if (!chains_[c].last || *chains_[c].last + 1 != key || !has_extent(source(keys_[key], c))) continue;
+      MatchOptions own = options_;
+      own.progress = work_.part();
+      matches[c] = match_next(chains_[c], *source(keys_[key], c), key, c, own);
+      if (matches[c]->report.cancelled) return std::nullopt;
+      work_.finish_part();
+    }
+    const Direction direction = one_direction_ ? common_direction(matches) : Direction::forward;
+    if (one_direction_ && options_.direction == Direction::automatic && !turn_all(matches, key, direction)) {
+      return std::nullopt;
+    }
+    for (std::size_t c = 0; c < chains_.size(); ++c) {
+      const Curve* curve = source(keys_[key], c);
+      if (matches[c]) {
+        chains_[c].set(key, matches[c]->curve);
+      } else if (has_extent(curve)) {
+        chains_[c].set(key, newcomer(chains_[c], *curve, direction));
+      }
+    }
+    return matches;
+  }
+
+  [[nodiscard]] std::vector<std::vector<Curve>> take() const {
+    std::vector<std::vector<Curve>> contours;
+    for (std::size_t c = 0; c < chains_.size(); ++c) contours.push_back(completed(chains_[c], keys_, c));
+    return contours;
+  }
+
+ private:
+  // Matches the filled contours that went the other way once more; false when cancelled.
+  bool turn_all(Matches& matches, std::size_t key, Direction direction) {
+    for (std::size_t c = 0; c < matches.size(); ++c) {
+      if (!matches[c] || !is_filled(*matches[c]) || matches[c]->report.direction == direction) continue;
+      MatchOptions own = options_;
+      own.direction = direction;
+      own.progress = work_.again();
+      matches[c] = match_next(chains_[c], *source(keys_[key], c), key, c, own);
+      if (matches[c]->report.cancelled) return false;
+    }
+    return true;
+  }
+
+  // A contour that the key before does not have: nothing to be in step with but its own key.
+  static Curve newcomer(const Chain& chain, const Curve& curve, Direction direction) {
+    const bool turn = direction == Direction::reversed && curve.is_closed();
+    const Curve turned = turn ? reverse(curve) : curve;
+    return chain.last ? with_domain(clamp(turned), chain.newest().domain()) : turned;
+  }
+
+  std::span<const Shape> keys_;
+  bool one_direction_;
+  const MatchOptions& options_;
+  std::vector<Chain> chains_;
+  Work work_;
+};
+
 }  // namespace
 
-InStep put_in_step(const std::vector<const Curve*>& sources, std::size_t contour, const MatchOptions& options,
-                   const std::function<Progress(std::size_t key)>& progress_of) {
+InStep put_in_step(std::span<const Shape> keys, bool one_direction, const MatchOptions& options) {
+  std::size_t contours = 0;
+  for (const Shape& key : keys) contours = std::max(contours, key.contours.size());
   InStep result;
-  const std::size_t count = sources.size();
-  result.matches.resize(count - 1);
-  Curves in_step(count);
-  std::optional<std::size_t> last;
-  for (std::size_t key = 0; key < count; ++key) {
-    if (!has_extent(sources[key])) continue;
-    const Curve& curve = *sources[key];
-    if (!last) {
-      in_step[key] = curve;
-    } else if (*last + 1 == key) {
-      MatchOptions own = options;
-      own.progress = progress_of(*last);
-      // A closed curve may be cut open for an open one only if the keys before it can be cut there too.
-      if (own.closed == ClosedMode::automatic && !curve.is_closed() && !all_closed(in_step)) {
-        own.closed = ClosedMode::no;
-      }
-      Match found = match_keys(*in_step[*last], curve, *last, contour, own);
-      if (found.report.cancelled) {
-        result.cancelled = true;
-        return result;
-      }
-      follow_cut(in_step, found.curve.domain());
-      in_step[key] = found.curve;
-      result.matches[*last] = std::move(found);
-    } else {
-      // It shrank to a point in between: nothing to be in step with.
-      in_step[key] = with_domain(clamp(curve), in_step[*last]->domain());
+  result.matches.assign(keys.size() - 1, Matches(contours));
+  KeyMatcher matcher(keys, one_direction, options, contours);
+  for (std::size_t key = 0; key < keys.size(); ++key) {
+    std::optional<Matches> matches = matcher.add(key);
+    if (!matches) {
+      result.cancelled = true;
+      return result;
     }
-    last = key;
+    if (key > 0) result.matches[key - 1] = std::move(*matches);
   }
-  if (!last) {  // points throughout
-    const std::size_t some = nearest(0, count, [&](std::size_t k) { return sources[k] != nullptr; });
-    result.curves = fill_gaps(sources, in_step, {*sources[some]});
-    return result;
-  }
-  std::vector<Curve> present;
-  for (const std::optional<Curve>& curve : in_step) {
-    if (curve) present.push_back(*curve);
-  }
-  result.curves = fill_gaps(sources, in_step, with_common_denominator(present));
+  result.contours = matcher.take();
   return result;
 }
 

@@ -1,31 +1,30 @@
 #pragma once
 
-#include <cstddef>
-#include <functional>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "tandem/match/match.h"
+#include "tandem/shape/shape.h"
 
 namespace tandem {
 inline namespace v0 {
 
-/// One contour through all keys: curves of one degree, knot vector, weights and domain, blended point by
-/// point.
+/// All contours through all keys: per contour curves of one degree, knot vector, weights and domain.
 struct InStep {
-  std::vector<Curve> curves;                  ///< one per key
-  std::vector<std::optional<Match>> matches;  ///< of key i with key i + 1, where both have the contour
-  bool cancelled = false;
+  std::vector<std::vector<Curve>> contours;                ///< [contour][key]
+  std::vector<std::vector<std::optional<Match>>> matches;  ///< [key][contour], where both keys have it
+  bool cancelled = false;                                  ///< the rest is meaningless
 };
 
-/// Matches each key's contour with the already reparametrised one of the key before it (spec C14).
+/// Matches each key's contours with the already reparametrised ones of the key before it (spec C14).
 ///
-/// sources: one per key, null where a key has no such contour; at least one is there. Where it is missing, or
-/// is a mere point, the contour is collapsed: onto the box centre of the nearest key that has it, or onto
-/// that point. `contour` names it in errors.
-[[nodiscard]] InStep put_in_step(const std::vector<const Curve*>& sources, std::size_t contour,
-                                 const MatchOptions& options,
-                                 const std::function<Progress(std::size_t key)>& progress_of);
+/// keys: at least two, of one dimension, none empty. Where a contour is missing, or is a mere point, it is
+/// collapsed: onto the box centre of the nearest key that has it, or onto that point. one_direction: the
+/// closed contours of a key are all reversed or none is, as the nonzero fill rule needs it: it tells holes by
+/// their direction. The larger part of the length decides.
+[[nodiscard]] InStep put_in_step(std::span<const Shape> keys, bool one_direction,
+                                 const MatchOptions& options);
 
 }  // namespace v0
 }  // namespace tandem

@@ -32,48 +32,23 @@ void check_keys(std::span<const Shape> keys) {
   }
 }
 
-std::size_t most_contours(std::span<const Shape> keys) {
-  std::size_t most = 0;
-  for (const Shape& key : keys) most = std::max(most, key.contours.size());
-  return most;
-}
-
-std::vector<const Curve*> sources(std::span<const Shape> keys, std::size_t contour) {
-  std::vector<const Curve*> curves;
-  for (const Shape& key : keys) {
-    curves.push_back(contour < key.contours.size() ? &key.contours[contour] : nullptr);
-  }
-  return curves;
-}
-
-// The whole work's progress from that of one match of `total`.
-Progress share_of(const Progress& progress, std::size_t done, std::size_t total) {
-  if (!progress) return {};
-  return [progress, done, total](double fraction) {
-    return progress((static_cast<double>(done) + fraction) / static_cast<double>(total));
-  };
+// Shapes of the even-odd rule look wrong under the nonzero rule whenever their contours run all one way,
+// those of the nonzero rule look wrong under the other one only where contours of one direction overlap.
+FillRule common_fill_rule(std::span<const Shape> keys) {
+  const bool any = std::any_of(keys.begin(), keys.end(),
+                               [](const Shape& key) { return key.fill_rule == FillRule::evenodd; });
+  return any ? FillRule::evenodd : FillRule::nonzero;
 }
 
 }  // namespace
 
 Morph::Morph(std::span<const Shape> keys, const MorphOptions& options) : key_count_(keys.size()) {
   check_keys(keys);
-  fill_rule_ = keys.front().fill_rule;
-  const std::size_t count = most_contours(keys);
-  const std::size_t pairs = key_count_ - 1;
-  matches_.assign(pairs, std::vector<std::optional<Match>>(count));
-  for (std::size_t c = 0; c < count; ++c) {
-    const auto progress_of = [&](std::size_t key) {
-      return share_of(options.match.progress, c * pairs + key, count * pairs);
-    };
-    InStep in_step = put_in_step(sources(keys, c), c, options.match, progress_of);
-    if (in_step.cancelled) {
-      cancelled_ = true;
-      return;
-    }
-    contours_.push_back(std::move(in_step.curves));
-    for (std::size_t key = 0; key < pairs; ++key) matches_[key][c] = std::move(in_step.matches[key]);
-  }
+  fill_rule_ = common_fill_rule(keys);
+  InStep in_step = put_in_step(keys, fill_rule_ == FillRule::nonzero, options.match);
+  cancelled_ = in_step.cancelled;
+  contours_ = std::move(in_step.contours);
+  matches_ = std::move(in_step.matches);
 }
 
 Morph::Morph(const Curve& a, const Curve& b, const Match& match) : key_count_(2) {

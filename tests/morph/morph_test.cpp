@@ -158,7 +158,7 @@ TEST(Morph, ContoursWithoutPartnerGrowFromTheirCentre) {
   ring.fill_rule = FillRule::evenodd;
   const std::vector<Shape> keys{one(blob(5, 0, 4.0)), ring, one(blob(7, 0, 4.0))};
   const Morph morph(keys, quick());
-  EXPECT_EQ(morph.fill_rule(), FillRule::nonzero);
+  EXPECT_EQ(morph.fill_rule(), FillRule::evenodd);
   ASSERT_EQ(morph.contour_count(), 2u);
   EXPECT_TRUE(morph.match(0, 0).has_value());
   EXPECT_FALSE(morph.match(0, 1).has_value());
@@ -171,6 +171,57 @@ TEST(Morph, ContoursWithoutPartnerGrowFromTheirCentre) {
   }
   EXPECT_LE(distance(points_along(morph.at(0.5).contours[1], 100), ring.contours[1]), kSearch);
   EXPECT_EQ(morph.at(0.5).contours.size(), 2u);
+}
+
+double signed_area(const Curve& curve) {
+  const std::vector<Point> points = points_along(curve, 400);
+  const std::size_t n = points.size();
+  std::vector<double> ts = test::parameters(curve, 400);
+  std::sort(ts.begin(), ts.end());
+  double area = 0.0;
+  for (std::size_t i = 0; i + 1 < n; ++i) {
+    const Point p = curve.evaluate(ts[i]);
+    const Point q = curve.evaluate(ts[i + 1]);
+    area += (p[0] * q[1] - p[1] * q[0]) / 2.0;
+  }
+  return area;
+}
+
+// The nonzero rule tells a hole by its direction against the contour around it: at every key the directions
+// must be the source's, all or none of them turned.
+TEST(Morph, HolesStayHoles) {
+  const Curve outer = blob(5, 0, 6.0);
+  const Curve hole = blob(4, 0, 2.0);
+  const Curve island = blob(6, 0, 1.0);
+  const Shape ring{{outer, reverse(hole)}};
+  const Shape other_way{{reverse(blob(3, 0, 6.0)), blob(7, 0, 3.0)}};
+  const Shape both_one_way{{blob(3, 0, 6.0), blob(7, 20, 3.0)}};
+  const Shape three{{reverse(blob(6, 0, 6.0)), blob(7, 0, 3.0), reverse(island)}};
+  for (const std::vector<Shape>& keys : {std::vector<Shape>{ring, other_way},
+                                         {ring, both_one_way},
+                                         {both_one_way, ring},
+                                         {ring, other_way, both_one_way, three},
+                                         {ring, three, other_way, three}}) {
+    const Morph morph(keys, quick());
+    for (std::size_t key = 0; key < keys.size(); ++key) {
+      const Shape drawn = morph.at(static_cast<double>(key) / static_cast<double>(keys.size() - 1));
+      const double turned = signed_area(drawn.contours[0]) * signed_area(keys[key].contours[0]);
+      for (std::size_t c = 0; c < keys[key].contours.size(); ++c) {
+        EXPECT_GT(signed_area(drawn.contours[c]) * signed_area(keys[key].contours[c]) * turned, 0.0)
+            << "key " << key << " contour " << c;
+      }
+    }
+  }
+}
+
+TEST(Morph, DirectionsAreFreeUnderTheEvenOddRule) {
+  Shape ring{{blob(5, 0, 6.0), reverse(blob(4, 0, 2.0))}};
+  Shape both_one_way{{blob(3, 0, 6.0), blob(4, 0, 2.0)}};
+  ring.fill_rule = FillRule::evenodd;
+  const std::vector<Shape> keys{ring, both_one_way};
+  const Morph morph(keys, quick());
+  EXPECT_EQ(morph.match(0, 0)->report.direction, Direction::forward);
+  EXPECT_EQ(morph.match(0, 1)->report.direction, Direction::reversed);
 }
 
 TEST(Morph, ContoursMayVanishAndComeBack) {

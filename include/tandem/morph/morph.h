@@ -18,9 +18,11 @@ struct MorphOptions {
 
 /// A morph through n key shapes: matching happens once, in the constructor; at(s) only blends.
 ///
-/// Affine blend ([C] eq. (1), spec C2, C15a) of the matched contours, which are brought into one function space
-/// (common degree, knots and denominator, exact). Contours are paired in order; one without a partner grows from,
-/// or shrinks to, its own centre. Key i stands at s = i / (n - 1).
+/// Affine blend ([C] eq. (1), spec C2, C15a) of the matched contours, which are brought into one function
+/// space (common degree, knots and denominator, exact). Contours are paired in order; one without a partner
+/// grows from, or shrinks to, its own centre. Key i stands at s = i / (n - 1). Under the nonzero fill rule,
+/// which tells holes by their direction, the closed contours of a key are all matched forward or all
+/// reversed.
 class TANDEM_EXPORT Morph {
  public:
   /// Matches each shape with the next (spec C14). @throws InvalidArgument fewer than two keys, a key without
@@ -33,7 +35,7 @@ class TANDEM_EXPORT Morph {
   [[nodiscard]] Shape at(double s) const;
 
   [[nodiscard]] std::size_t key_count() const noexcept { return key_count_; }
-  /// The first key's.
+  /// Even-odd when any key's is, else nonzero.
   [[nodiscard]] FillRule fill_rule() const noexcept { return fill_rule_; }
   [[nodiscard]] std::size_t contour_count() const noexcept { return contours_.size(); }
   /// The compatible curves of one contour, one per key, over one domain.
@@ -53,7 +55,8 @@ class TANDEM_EXPORT Morph {
   std::vector<std::vector<std::optional<Match>>> matches_;  ///< [key][contour], key_count - 1 rows
 };
 
-/// Position of s among n keys: between key `key` and `key + 1`, at `local` (outside [0,1] when extrapolating).
+/// Position of s among n keys: between key `key` and `key + 1`, at `local` (outside [0,1] when
+/// extrapolating).
 struct KeyPosition {
   std::size_t key = 0;
   double local = 0.0;

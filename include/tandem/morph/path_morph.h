@@ -10,7 +10,8 @@
 namespace tandem {
 inline namespace v0 {
 
-/// One contour of a planar morph as cubics: every key has the same segments, so that blending is point by point.
+/// One contour of a planar morph as cubics: every key has the same segments, so that blending is point by
+/// point.
 struct PathContour {
   std::vector<CubicPath> keys;
   std::vector<bool> lines;  ///< per segment: a straight line in every key, and so in every in-between
@@ -18,8 +19,8 @@ struct PathContour {
 
 /// A planar morph redrawn as compatible cubic paths: what SVG, CSS, Lottie and the HTML player speak.
 ///
-/// Exact for polynomial contours of degree <= 3; others are approximated, all keys with the same breaks, within
-/// `tolerance` times the diagonal of the keys.
+/// Exact for polynomial contours of degree <= 3; others are approximated, all keys with the same breaks,
+/// within `tolerance` times the diagonal of the keys.
 class TANDEM_EXPORT PathMorph {
  public:
   /// @throws InvalidArgument the morph is not planar
