@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
@@ -67,6 +68,38 @@ TEST(PathDataWriter, WritesAbsoluteCommandsOnly) {
   EXPECT_EQ(format_path_data(paths, lines), "M0 0L3 0C3 2 2 3 0 0ZM-1 -1C-2 0.75 0 0 1 1");
   EXPECT_EQ(format_path_data(paths, lines, 0), "M0 0L3 0C3 2 2 3 0 0ZM-1 -1C-2 1 0 0 1 1");
   EXPECT_EQ(format_path_data({}), "");
+}
+
+// What is written is read back equal, whatever the numbers are.
+TEST(PathDataWriter, ReadsBackEqual) {
+  EXPECT_TRUE(rc::check([] {
+    const auto number = [] {
+      const auto mantissa = *rc::gen::inRange(-1000000, 1000001);
+      return std::ldexp(static_cast<double>(mantissa), *rc::gen::inRange(-20, 1));
+    };
+    std::vector<CubicPath> paths;
+    const int count = *rc::gen::inRange(1, 4);
+    for (int i = 0; i < count; ++i) {
+      const auto segments = static_cast<std::size_t>(*rc::gen::inRange(1, 6));
+      Points points(2, 3 * segments + 1);
+      for (std::size_t k = 0; k < points.size(); ++k) {  // no segment is a point, which would be left out
+        points[k][0] = number() + static_cast<double>(k);
+        points[k][1] = number();
+      }
+      const bool closed = *rc::gen::arbitrary<bool>();
+      if (closed) std::copy_n(points.data().begin(), 2, points.data().end() - 2);
+      paths.emplace_back(std::move(points), closed);
+    }
+    RC_ASSERT(parse_path_data(format_path_data(paths), "test", false) == paths);
+  }));
+}
+
+TEST(PathDataWriter, LinesReadBackAsLines) {
+  const std::vector<CubicPath> paths = parse_path_data("M0.1 0.2L7 0.3 5 11.7Z");
+  const std::vector<std::vector<bool>> lines{{true, true, true}};
+  const std::string text = format_path_data(paths, lines);
+  EXPECT_EQ(text, "M0.1 0.2L7 0.3L5 11.7L0.1 0.2Z");
+  EXPECT_EQ(parse_path_data(text), paths);
 }
 
 TEST(PathDataWriter, WantsThePlane) {

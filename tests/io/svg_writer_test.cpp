@@ -97,6 +97,17 @@ TEST(SvgWriter, FillsWhatIsClosedAndStrokesTheRest) {
   EXPECT_EQ(commands(paths[1].attribute("d").value()), "MC");
 }
 
+TEST(SvgWriter, ReadsBackEqual) {
+  const Shape shape = outline(10);
+  const std::vector<SvgElement> elements = parse_svg(format_svg(shape));
+  ASSERT_EQ(elements.size(), 2u);
+  ASSERT_EQ(elements[0].shape.contours.size(), 1u);
+  EXPECT_EQ(elements[0].shape.contours[0], shape.contours[0]);
+  EXPECT_EQ(elements[0].shape.fill_rule, FillRule::evenodd);
+  ASSERT_EQ(elements[1].shape.contours.size(), 1u);
+  EXPECT_EQ(elements[1].shape.contours[0], shape.contours[1]);
+}
+
 TEST(SvgWriter, WantsThePlane) {
   EXPECT_THROW((void)format_svg(Shape{{Curve::bezier(Points({{0, 0, 0}, {1, 1, 1}}))}}), InvalidArgument);
   EXPECT_TRUE(parsed(format_svg(Shape{})).child("svg"));
