@@ -49,7 +49,7 @@ struct Totals {
 
 Totals add_up(const ShapeReport& report) {
   Totals totals;
-  if (report.pairs.empty()) return {.min_dot = 1.0, .valid_share = 1.0};  // nothing that could be invalid
+  if (report.pairs.empty()) return {.min_dot = 1.0, .valid_share = 1.0, .seconds = {}};  // nothing that could be invalid
   double weights = 0.0;
   for (const ContourMatch& pair : report.pairs)
     weights += pair.match->samples_a.length + pair.match->samples_b.length;
