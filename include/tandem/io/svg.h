@@ -22,8 +22,9 @@ struct SvgElement {
 /// All drawables in document order. Nested groups, `transform`, nested <svg> and `viewBox`, <use> of them,
 /// `fill-rule` and `fill="none"` (attribute, style or style sheet) are honoured; what is not drawn (defs, symbol,
 /// clipPath, mask, marker, pattern; display none, visibility hidden) is left out unless used, and so is what has
-/// neither fill nor stroke beside something that has. Coordinates are the user units of the outermost <svg>: its
-/// width, height and preserveAspectRatio are not applied. Percentages need its viewBox, or a width and height.
+/// neither fill nor stroke beside something that has. Outlines are whole: clipping, masks, stroke widths, markers
+/// and opacity do not count. Coordinates are the user units of the outermost <svg>: its width, height and
+/// preserveAspectRatio are not applied. Percentages need its viewBox, or a width and height.
 /// @throws ParseError malformed XML or attribute, or no drawable at all
 [[nodiscard]] TANDEM_IO_EXPORT std::vector<SvgElement> parse_svg(std::string_view text,
                                                                  const std::string& source = "svg");
