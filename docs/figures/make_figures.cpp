@@ -40,8 +40,8 @@ Curve first_contour(const std::string& name) { return load_shape(name).contours.
 
 /// Two silhouettes: the picture on the front page.
 std::string front_page() {
-  const Curve a = first_contour("examples/data/cheetah.svg");
-  const Curve b = first_contour("examples/data/camel.svg");
+  const Curve a = first_contour("examples/data/crow.svg");
+  const Curve b = first_contour("examples/data/kangaroo.svg");
   Sheet sheet(150, 130);
   sheet.add_row("Point by point, as the files have it", figures::naive_in_betweens(a, b, kTimes));
   sheet.add_row("In step", in_betweens(a, b, {}));
