@@ -137,8 +137,8 @@ Box bounding_box(const Curve& curve) {
       hi = upper.over(pieces[i], hi);
       lo = lower.over(pieces[i], lo);
     }
-    box.lo[c] = -lo;
-    box.hi[c] = hi;
+    box.lo[c] = -lo / pieces.scale;
+    box.hi[c] = hi / pieces.scale;
   }
   return box;
 }

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <utility>
 
 #include "curve/bernstein.h"
 #include "curve/common_knots.h"
-#include "curve/scale.h"
 #include "curve/spline.h"
 #include "tandem/curve/compatible.h"
 #include "tandem/error.h"
@@ -154,6 +154,7 @@ class Denominators {
     result.degree = degree_;
     result.stride = static_cast<int>(dim) + 1;
     result.rational = true;
+    result.scale = from.scale;
     result.breaks = breaks;
     result.coefficients.resize(result.size() * result.piece_length());
     for (std::size_t piece = 0; piece < result.size(); ++piece) {
@@ -215,8 +216,6 @@ std::vector<Curve> with_common_denominator(std::span<const Curve> curves) {
   if (agree) return detail::with_equal_weights(compatible);
 
   std::vector<detail::Spline> splines = detail::over_one_domain(curves, false);
-  const double scale = detail::power_of_two_scale(curves);
-  for (detail::Spline& spline : splines) detail::scale_coordinates(spline, scale);
   const std::vector<detail::Break> smoothness = detail::unite_breaks(splines);
   std::vector<detail::Pieces> pieces;
   for (const detail::Spline& spline : splines) pieces.push_back(detail::decompose(spline));
@@ -231,9 +230,7 @@ std::vector<Curve> with_common_denominator(std::span<const Curve> curves) {
   }
   std::vector<Curve> result;
   for (std::size_t i = 0; i < curves.size(); ++i) {
-    detail::Spline spline = detail::assemble(denominators.over_product(i, breaks));
-    detail::scale_coordinates(spline, 1.0 / scale);
-    result.push_back(detail::euclidean(std::move(spline)));
+    result.push_back(detail::euclidean(detail::assemble(denominators.over_product(i, breaks))));
   }
   return result;
 }

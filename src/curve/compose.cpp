@@ -9,7 +9,6 @@
 
 #include "curve/bernstein.h"
 #include "curve/compose_plan.h"
-#include "curve/scale.h"
 #include "curve/spline.h"
 #include "tandem/error.h"
 
@@ -49,6 +48,7 @@ Spline compose_linear(const Spline& outer, const Pieces& inner, const std::vecto
   result.degree = outer.degree;
   result.stride = outer.stride;
   result.rational = outer.rational;
+  result.scale = outer.scale;
   result.knots.reserve(cuts.size() * p + 2);
   values.reserve(cuts.size() * p + 2);
   for (std::size_t i = 0; i <= last; ++i) {
@@ -96,36 +96,38 @@ Spline compose_linear(const Spline& outer, const Pieces& inner, const std::vecto
 // The outer curve is a polyline: between two of its corners the result is an affine image of the inner
 // function.
 Spline compose_polyline(const Pieces& outer, const Spline& inner, const std::vector<Cut>& cuts) {
+  const auto q = static_cast<std::size_t>(inner.degree);
   const auto stride = static_cast<std::size_t>(outer.stride);
+  const std::size_t last = cuts.size() - 1;
   Spline result;
-  for (std::size_t begin = 0, end = 1; begin + 1 < cuts.size(); begin = end) {
-    end = begin + 1;
-    while (end + 1 < cuts.size() && cuts[end].smoothness > 0) ++end;
-    const Spline values = part_of(inner, {cuts[begin].u, cuts[end].u});
-    const std::size_t piece = cuts[begin].outer;
+  result.degree = inner.degree;
+  result.stride = outer.stride;
+  result.rational = outer.rational;
+  result.scale = outer.scale;
+  std::vector<std::size_t> owner;  // the cut that a knot belongs to
+  for (std::size_t i = 0; i <= last; ++i) {
+    const std::size_t copies = i == 0 || i == last ? q + 1 : q - static_cast<std::size_t>(cuts[i].smoothness);
+    result.knots.insert(result.knots.end(), copies, cuts[i].u);
+    owner.insert(owner.end(), copies, i);
+  }
+  result.coefficients.resize((result.knots.size() - q - 1) * stride);
+  Blossom blossom(inner);
+  double value[2] = {0.0, 1.0};  // premultiplied, and its weight
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    blossom(result.knots.data() + i + 1, value);
+    value[0] /= value[1];
+    std::size_t from = owner[i + 1];
+    if (owner[i + q] == from) {
+      // The point of a corner, or an end.
+      value[0] = from == 0 ? cuts[from].after : cuts[from].before;
+      if (from > 0) --from;
+    }
+    const std::size_t piece = cuts[from].outer;
     const double* b = outer[piece];
     const double lo = outer.breaks[piece].value;
-    const double length = outer.breaks[piece + 1].value - lo;
-    Spline run;
-    run.degree = inner.degree;
-    run.stride = outer.stride;
-    run.rational = outer.rational;
-    run.knots = values.knots;
-    run.coefficients.resize(values.size() * stride);
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      const double weight = inner.rational ? values[i][1] : 1.0;
-      double value = values[i][0] / weight;
-      if (i == 0) value = cuts[begin].after;
-      if (i + 1 == values.size()) value = cuts[end].before;
-      const double share = (value - lo) / length;
-      for (std::size_t c = 0; c < stride; ++c) {
-        run[i][c] = weight * ((1.0 - share) * b[c] + share * b[stride + c]);
-      }
-    }
-    if (begin == 0) {
-      result = std::move(run);
-    } else {
-      append(result, run, 0.0);
+    const double share = (value[0] - lo) / (outer.breaks[piece + 1].value - lo);
+    for (std::size_t c = 0; c < stride; ++c) {
+      result[i][c] = value[1] * ((1.0 - share) * b[c] + share * b[stride + c]);
     }
   }
   return result;
@@ -251,6 +253,7 @@ Spline compose_pieces(const Pieces& outer, const Pieces& inner, const std::vecto
   result.degree = outer.degree * inner.degree;
   result.stride = outer.stride;
   result.rational = outer.rational;
+  result.scale = outer.scale;
   for (const Cut& cut : cuts) result.breaks.push_back({cut.u, result.degree - cut.smoothness});
   result.coefficients.resize(result.size() * result.piece_length());
   PieceComposer composer(outer, inner);
@@ -271,9 +274,7 @@ Curve compose(const Curve& outer, const Curve& inner) {
                                       detail::kLargestProductDegree));
   }
   const bool rational = outer.is_rational() || inner.is_rational();
-  const double scale = detail::power_of_two_scale({&outer, 1});
-  detail::Spline whole = detail::clamped(detail::premultiplied(outer, rational));
-  detail::scale_coordinates(whole, scale);
+  const detail::Spline whole = detail::clamped(detail::premultiplied(outer, rational));
   const detail::Spline function = detail::clamped(detail::premultiplied(inner));
   const detail::Pieces pieces = detail::decompose(function);
   const std::vector<detail::Cut> cuts = detail::plan_cuts(whole.degree, detail::breaks_of(whole), pieces);
@@ -285,7 +286,6 @@ Curve compose(const Curve& outer, const Curve& inner) {
   } else {
     result = detail::compose_pieces(detail::decompose(whole), pieces, cuts);
   }
-  detail::scale_coordinates(result, 1.0 / scale);
   return detail::euclidean(std::move(result));
 }
 

@@ -9,6 +9,7 @@
 
 #include "curve/evaluator.h"
 #include "curve/norm.h"
+#include "curve/scratch.h"
 #include "tandem/curve/knots.h"
 #include "tandem/error.h"
 
@@ -126,7 +127,7 @@ double diagonal(const Points& points) {
 bool ends_meet(const Curve& curve) {
   const auto dim = static_cast<std::size_t>(curve.dim());
   const detail::Evaluator evaluator(curve);
-  std::vector<double> ends(2 * dim);
+  detail::Scratch<16> ends(2 * dim);
   const std::span<double> a(ends.data(), dim);
   const std::span<double> b(ends.data() + dim, dim);
   evaluator.point(curve.domain().lo, a);

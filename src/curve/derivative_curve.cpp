@@ -21,6 +21,7 @@ Spline polynomial_derivative(const Spline& spline) {
   Spline result;
   result.degree = spline.degree - 1;
   result.stride = spline.stride;
+  result.scale = spline.scale;
   result.knots.assign(spline.knots.begin() + 1, spline.knots.end() - 1);
   result.coefficients.resize((spline.size() - 1) * stride);
   for (std::size_t i = 0; i + 1 < spline.size(); ++i) {
@@ -56,6 +57,7 @@ Spline rational_derivative(const Spline& spline) {
   result.degree = 2 * pieces.degree;
   result.stride = pieces.stride;
   result.rational = true;
+  result.scale = pieces.scale;
   result.breaks = pieces.breaks;
   for (std::size_t i = 1; i < pieces.size(); ++i) result.breaks[i].multiplicity += pieces.degree + 1;
   result.coefficients.assign(result.size() * result.piece_length(), 0.0);

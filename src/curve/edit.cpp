@@ -136,6 +136,7 @@ std::vector<Curve> bezier_segments(const Curve& curve) {
     segment.degree = pieces.degree;
     segment.stride = pieces.stride;
     segment.rational = pieces.rational;
+    segment.scale = pieces.scale;
     segment.knots.assign(order, pieces.breaks[i].value);
     segment.knots.insert(segment.knots.end(), order, pieces.breaks[i + 1].value);
     segment.coefficients.assign(pieces[i], pieces[i] + pieces.piece_length());

@@ -33,6 +33,7 @@ Spline elevated_once(const Spline& spline) {
   result.degree = spline.degree + 1;
   result.stride = spline.stride;
   result.rational = spline.rational;
+  result.scale = spline.scale;
   result.knots = elevated_knots(spline.knots);
   const std::size_t n = result.knots.size() - p - 2;
   result.coefficients.assign(n * stride, 0.0);

@@ -4,6 +4,7 @@
 #include <span>
 
 #include "tandem/curve/curve.h"
+#include "tandem/tandem_export.h"
 
 namespace tandem {
 inline namespace v0 {
@@ -14,8 +15,9 @@ namespace detail {
 /// Looks at the curve, which must outlive it; holds no state between calls, so threads may share one.
 /// Everything is a convex combination of control points or of their differences: values stay in the hull, and
 /// a curve far from the origin loses no more digits than its coordinates have lost already. Derivatives too
-/// large for a double are cut off at the largest double; nothing is ever NaN.
-class Evaluator {
+/// large for a double are cut off at the largest double; nothing is ever NaN for a parameter that is not.
+/// (Exported for the benchmarks, which measure it alone; not part of the public interface.)
+class TANDEM_EXPORT Evaluator {
  public:
   explicit Evaluator(const Curve& curve) noexcept;
 

@@ -30,11 +30,16 @@ double place_in_period(const Curve& curve, double t) {
   return place >= domain.hi || place < domain.lo ? domain.lo : place;
 }
 
+// A knot one period later; the start of the domain becomes its end exactly.
+double next_turn(Interval domain, double knot) {
+  return domain.hi + (knot - domain.lo);
+}
+
 // Two turns of a periodic spline: the first one's coefficients, and the same again.
 detail::Spline two_turns(const detail::Spline& spline) {
   const auto p = static_cast<std::size_t>(spline.degree);
   const std::size_t turn = spline.size() - p;
-  const double period = spline.domain().length();
+  const Interval domain = spline.domain();
   detail::Spline twice = spline;
   twice.knots.resize(spline.size() + 1);
   twice.coefficients.resize(turn * static_cast<std::size_t>(spline.stride));
@@ -42,13 +47,14 @@ detail::Spline two_turns(const detail::Spline& spline) {
     const double* from = spline[i % turn];
     twice.coefficients.insert(twice.coefficients.end(), from, from + spline.stride);
   }
-  for (std::size_t i = p + 1; i < spline.knots.size(); ++i) twice.knots.push_back(spline.knots[i] + period);
+  for (std::size_t i = p + 1; i < spline.knots.size(); ++i)
+    twice.knots.push_back(next_turn(domain, spline.knots[i]));
   return twice;
 }
 
 // The whole turn that starts at `place`, smooth where the periodic spline is.
 detail::Spline turn_of_periodic(const detail::Spline& spline, double place) {
-  return detail::part_of(two_turns(spline), {place, place + spline.domain().length()});
+  return detail::part_of(two_turns(spline), {place, next_turn(spline.domain(), place)});
 }
 
 // The part after `place` and then the part before it; a corner in between, where the old seam was.

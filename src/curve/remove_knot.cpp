@@ -87,6 +87,7 @@ class KnotRemover {
     q.degree = spline_.degree;
     q.stride = spline_.stride;
     q.rational = spline_.rational;
+    q.scale = spline_.scale;
     const auto offset = [&](std::size_t i) {
       return spline_.coefficients.begin() + static_cast<std::ptrdiff_t>(i * stride);
     };
@@ -149,6 +150,7 @@ KnotRemoval remove_knot(const Curve& curve, double t, int times, double toleranc
   detail::Spline spline = detail::premultiplied(curve);
   for (; result.removed < std::min(times, copies); ++result.removed) {
     detail::Removal removal = detail::KnotRemover(spline, t).remove();
+    removal.deviation /= spline.scale;
     if (!(result.deviation + removal.deviation <= tolerance)) break;
     result.deviation += removal.deviation;
     spline = std::move(removal.spline);

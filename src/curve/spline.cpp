@@ -1,11 +1,25 @@
 #include "curve/spline.h"
 
 #include <algorithm>
+#include <cmath>
+#include <span>
 #include <utility>
 
 namespace tandem {
 inline namespace v0 {
 namespace detail {
+
+namespace {
+
+double power_of_two_scale(std::span<const double> coordinates) {
+  double largest = 0.0;
+  for (const double x : coordinates) largest = std::max(largest, std::abs(x));
+  if (largest == 0.0 || (largest > 1e-100 && largest < 1e100)) return 1.0;
+  // Its inverse must be a double too.
+  return std::ldexp(1.0, -std::clamp(std::ilogb(largest), -1020, 1020));
+}
+
+}  // namespace
 
 Spline premultiplied(const Curve& curve, bool rational) {
   const std::size_t n = curve.size();
@@ -16,8 +30,12 @@ Spline premultiplied(const Curve& curve, bool rational) {
   spline.stride = curve.dim() + (rational ? 1 : 0);
   spline.knots = curve.knots();
   const std::span<const double> coords = curve.control_points().data();
+  const double scale = spline.scale = power_of_two_scale(coords);
   if (!rational) {
     spline.coefficients.assign(coords.begin(), coords.end());
+    if (scale != 1.0) {
+      for (double& x : spline.coefficients) x *= scale;
+    }
     return spline;
   }
   // Weights matter up to a common factor only; with the largest at 1 the products stay in range.
@@ -27,7 +45,7 @@ Spline premultiplied(const Curve& curve, bool rational) {
   for (std::size_t i = 0; i < n; ++i) {
     const double w = curve.is_rational() ? curve.weights()[i] / largest : 1.0;
     double* out = spline[i];
-    for (std::size_t c = 0; c < dim; ++c) out[c] = w * coords[i * dim + c];
+    for (std::size_t c = 0; c < dim; ++c) out[c] = w * (scale * coords[i * dim + c]);
     out[dim] = w;
   }
   return spline;
@@ -35,6 +53,9 @@ Spline premultiplied(const Curve& curve, bool rational) {
 
 Curve euclidean(Spline spline) {
   if (!spline.rational) {
+    if (spline.scale != 1.0) {
+      for (double& x : spline.coefficients) x /= spline.scale;
+    }
     return Curve(spline.degree, std::move(spline.knots),
                  Points(spline.stride, std::move(spline.coefficients)));
   }
@@ -45,7 +66,7 @@ Curve euclidean(Spline spline) {
   for (std::size_t i = 0; i < n; ++i) {
     const double* in = spline[i];
     weights[i] = in[dim];
-    for (std::size_t c = 0; c < dim; ++c) coords[i * dim + c] = in[c] / in[dim];
+    for (std::size_t c = 0; c < dim; ++c) coords[i * dim + c] = in[c] / in[dim] / spline.scale;
   }
   return Curve(spline.degree, std::move(spline.knots), Points(spline.stride - 1, std::move(coords)),
                std::move(weights));
@@ -110,6 +131,7 @@ Spline over_knots(const Spline& spline, std::vector<double> knots) {
   result.degree = spline.degree;
   result.stride = spline.stride;
   result.rational = spline.rational;
+  result.scale = spline.scale;
   const std::size_t n = knots.size() - static_cast<std::size_t>(spline.degree) - 1;
   result.coefficients.resize(n * static_cast<std::size_t>(spline.stride));
   Blossom blossom(spline);
@@ -147,14 +169,16 @@ Spline clamped(Spline spline) {
 void append(Spline& spline, const Spline& next, double shift) {
   const auto stride = static_cast<std::size_t>(spline.stride);
   const auto order = static_cast<std::size_t>(spline.degree) + 1;
+  const std::size_t dim = stride - (spline.rational ? 1 : 0);
   const double factor = spline.rational ? spline.coefficients.back() / next.coefficients[stride - 1] : 1.0;
+  const double ratio = spline.scale / next.scale;
   const double joint = spline.knots.back();
   spline.knots.pop_back();
   for (std::size_t i = order; i < next.knots.size(); ++i) {
     spline.knots.push_back(std::max(joint, next.knots[i] + shift));
   }
   for (std::size_t i = stride; i < next.coefficients.size(); ++i) {
-    spline.coefficients.push_back(factor * next.coefficients[i]);
+    spline.coefficients.push_back((i % stride < dim ? ratio : 1.0) * (factor * next.coefficients[i]));
   }
 }
 
@@ -166,6 +190,7 @@ Pieces decompose(const Spline& spline) {
   pieces.degree = spline.degree;
   pieces.stride = spline.stride;
   pieces.rational = spline.rational;
+  pieces.scale = spline.scale;
   pieces.breaks.push_back({domain.lo, spline.degree + 1});
   const auto first = std::upper_bound(spline.knots.begin(), spline.knots.end(), domain.lo);
   const auto last = std::lower_bound(first, spline.knots.end(), domain.hi);
@@ -219,6 +244,7 @@ Spline assemble(const Pieces& pieces) {
   spline.degree = pieces.degree;
   spline.stride = pieces.stride;
   spline.rational = pieces.rational;
+  spline.scale = pieces.scale;
   std::vector<std::size_t> owner;  // which break a knot belongs to
   for (std::size_t b = 0; b <= last; ++b) {
     const bool end = b == 0 || b == last;

@@ -17,6 +17,7 @@ struct Spline {
   int degree = 1;
   int stride = 1;  ///< numbers per coefficient
   bool rational = false;
+  double scale = 1.0;  ///< what the coordinates were multiplied with, a power of two; see premultiplied()
   std::vector<double> knots;
   std::vector<double> coefficients;
 
@@ -35,6 +36,10 @@ struct Spline {
 };
 
 /// As premultiplied coefficients; a polynomial curve gets weights 1 when `rational` is asked for.
+///
+/// Weights count up to a common factor only and are scaled to at most 1. Coordinates far from 1 (below
+/// 1e-100, above 1e100) are scaled, without rounding, to where their products with weights and binomial
+/// coefficients fit.
 [[nodiscard]] Spline premultiplied(const Curve& curve, bool rational);
 [[nodiscard]] inline Spline premultiplied(const Curve& curve) {
   return premultiplied(curve, curve.is_rational());
@@ -51,7 +56,7 @@ struct Spline {
 /// only convex combinations are formed (knot insertion after Boehm, one new argument after the other).
 class Blossom {
  public:
-  Blossom(const Spline& spline);
+  explicit Blossom(const Spline& spline);
 
   /// args: degree numbers, non-decreasing; the coefficient goes to out (stride numbers).
   void operator()(const double* args, double* out);
@@ -99,6 +104,7 @@ struct Pieces {
   int degree = 1;
   int stride = 1;
   bool rational = false;
+  double scale = 1.0;  ///< as in Spline
   std::vector<Break> breaks;
   std::vector<double> coefficients;
 

@@ -28,17 +28,17 @@ class TANDEM_EXPORT ArcLength {
  private:
   [[nodiscard]] double speed(std::size_t piece, double x) const;
   [[nodiscard]] double integrate(std::size_t piece, double from, double to) const;
-  void divide(std::size_t piece, double from, double to, double whole, double tolerance, int depth);
+  void divide(std::size_t piece, double whole, double tolerance);
 
-  double scale_ =
-      1.0;  ///< a power of two that brings the curve's size near 1: no square overflows or vanishes
-  double noise_ = 0.0;  ///< rounding in the speed, scaled
-  int degree_ = 1;      ///< of the coefficients
+  /// A power of two that brings the curve's size near 1: no square overflows or vanishes.
+  double scale_ = 1.0;
+  int degree_ = 1;  ///< of the coefficients
   int stride_ = 1;
   bool rational_ = false;
   std::vector<double> piece_breaks_;  ///< the distinct knots
-  std::vector<double>
-      coefficients_;  ///< Bezier pieces: of the hodograph, or, rational, of the curve, premultiplied
+  /// Per Bezier piece: of the hodograph, times binomial coefficients; of a rational curve: its own,
+  /// premultiplied.
+  std::vector<double> coefficients_;
   std::vector<std::size_t> pieces_;  ///< the piece of each interval
   std::vector<double> locals_;       ///< where each interval starts within its piece, in [0, 1)
   std::vector<double> parameters_;   ///< the same in parameters of the curve, and the end of the domain

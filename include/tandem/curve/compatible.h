@@ -17,8 +17,8 @@ inline namespace v0 {
 [[nodiscard]] TANDEM_EXPORT std::vector<Curve> make_compatible(std::span<const Curve> curves);
 
 /// make_compatible, and then every curve over the product of all weight functions, so that all have the same
-/// weights and blending control points blends Euclidean points (spec C2). Polynomial curves, and rational ones
-/// whose weights agree already, keep their degree; otherwise degrees add up (p1 + p2 for two curves).
+/// weights and blending control points blends Euclidean points (spec C2). Polynomial curves, and rational
+/// ones whose weights agree already, keep their degree; otherwise degrees add up (p1 + p2 for two curves).
 [[nodiscard]] TANDEM_EXPORT std::vector<Curve> with_common_denominator(std::span<const Curve> curves);
 
 }  // namespace v0

@@ -17,20 +17,25 @@ enum class Side { left, right };
 ///
 /// An immutable regular value; an existing Curve is valid. The knot vector may be unclamped: the domain is
 /// [knots[degree], knots[size()]]. Whether a curve is closed or periodic is a fact of the value.
-/// Knots inside the domain may have multiplicity up to degree + 1 at its ends and degree within (a corner, C0).
+/// Knots inside the domain may have multiplicity up to degree + 1 at its ends and degree within (a corner,
+/// C0).
 class TANDEM_EXPORT Curve {
  public:
-  /// control_points: dim x n, Euclidean (not premultiplied by the weights); knots: n + degree + 1, non-decreasing;
-  /// weights: empty (polynomial) or n, all > 0.
-  /// @throws InvalidArgument a size disagrees, a number is not finite, knots decrease, an interior multiplicity
-  ///         exceeds the degree (the curve would break), the domain is empty, or a weight is <= 0
+  /// control_points: dim x n, Euclidean (not premultiplied by the weights); knots: n + degree + 1,
+  /// non-decreasing; weights: empty (polynomial) or n, all > 0. Coordinates and knots up to 1e304 in size,
+  /// weights within [1e-100, 1e100]: what is computed from them then stays within the range of double.
+  /// @throws InvalidArgument a size disagrees, a number is not finite or too large, knots decrease, an
+  /// interior
+  ///         multiplicity exceeds the degree (the curve would break), the domain is empty, or a weight is <=
+  ///         0
   Curve(int degree, std::vector<double> knots, Points control_points, std::vector<double> weights = {});
 
   /// The Bezier curve of degree n - 1 over `domain`.
   [[nodiscard]] static Curve bezier(Points control_points, std::vector<double> weights = {},
                                     Interval domain = {0.0, 1.0});
   /// The B-spline with clamped uniform knots on [0,1].
-  [[nodiscard]] static Curve clamped_uniform(int degree, Points control_points, std::vector<double> weights = {});
+  [[nodiscard]] static Curve clamped_uniform(int degree, Points control_points,
+                                             std::vector<double> weights = {});
 
   [[nodiscard]] int degree() const noexcept { return degree_; }
   [[nodiscard]] int dim() const noexcept { return control_points_.dim(); }
@@ -47,15 +52,17 @@ class TANDEM_EXPORT Curve {
 
   /// The ends meet within 1e-9 of the curve's size, and the curve is more than a point.
   [[nodiscard]] bool is_closed() const noexcept { return closed_; }
-  /// The knot spacing and the last `degree` control points (and weights) repeat the first: smooth across the seam.
+  /// The knot spacing and the last `degree` control points (and weights) repeat the first: smooth across the
+  /// seam.
   [[nodiscard]] bool is_periodic() const noexcept { return periodic_; }
   /// Diagonal of the control points' bounding box, without overflow; 0 for a point.
   [[nodiscard]] double extent() const noexcept { return extent_; }
 
-  /// The point at t, clamped to the domain.
+  /// The point at t, clamped to the domain. @throws InvalidArgument t is NaN (derivatives too)
   [[nodiscard]] Point evaluate(double t) const;
   /// Derivatives 0..order at t (clamped to the domain): order + 1 rows of R^dim; zero above the degree of a
-  /// polynomial curve. At a knot `side` decides; at the ends of the domain there is only one.
+  /// polynomial curve. At a knot `side` decides; at the ends of the domain there is only one. Derivatives
+  /// beyond the range of double are cut off.
   [[nodiscard]] Points derivatives(double t, int order, Side side = Side::right) const;
 
   friend bool operator==(const Curve&, const Curve&) = default;
