@@ -22,7 +22,9 @@ PathMorph some_morph() {
     const std::vector<CubicPath> paths = builder.take();
     keys.push_back(to_shape(paths, FillRule::evenodd));
   }
-  return PathMorph(Morph(keys));
+  MorphOptions options;
+  options.match.samples = {24, 24};  // how good the match is does not matter here
+  return PathMorph(Morph(keys, options));
 }
 
 std::string between(const std::string& text, const std::string& before, const std::string& after) {

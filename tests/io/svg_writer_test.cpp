@@ -30,7 +30,9 @@ Shape outline(double size) {
 PathMorph some_morph(std::size_t key_count = 2) {
   std::vector<Shape> keys;
   for (std::size_t i = 0; i < key_count; ++i) keys.push_back(outline(10.0 + 5.0 * static_cast<double>(i)));
-  return PathMorph(Morph(keys));
+  MorphOptions options;
+  options.match.samples = {24, 24};  // how good the match is does not matter here
+  return PathMorph(Morph(keys, options));
 }
 
 pugi::xml_document parsed(const std::string& text) {
