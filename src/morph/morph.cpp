@@ -56,11 +56,13 @@ Morph::Morph(const Curve& a, const Curve& b, const Match& match) : key_count_(2)
     throw InvalidArgument(
         fmt::format("morph: the curves have dimensions {} and {}, expected one", a.dim(), b.dim()));
   }
+  matches_.emplace_back(1, match);
+  cancelled_ = match.report.cancelled;
+  if (cancelled_) return;
   const Interval domain = match.curve.domain();
   const Curve moved = domain == a.domain() ? a : move_seam(a, domain.lo);
   const std::vector<Curve> pair{moved, match.curve};
   contours_.push_back(with_common_denominator(pair));
-  matches_.emplace_back(1, match);
 }
 
 Shape Morph::at(double s) const {
