@@ -104,6 +104,68 @@ TEST(ArcLength, HugeTinyAndFarOff) {
   }
 }
 
+// Composite midpoint rule over each span, Richardson-extrapolated: slow, and good to some 1e-11 on smooth
+// curves.
+double brute_force(const Curve& curve) {
+  double total = 0.0;
+  for (const Curve& piece : bezier_segments(curve)) {
+    const Interval domain = piece.domain();
+    std::vector<double> estimates;
+    for (int n = 512; n <= 4096; n *= 2) {
+      double sum = 0.0;
+      for (int i = 0; i < n; ++i) {
+        const double t = domain.lo + domain.length() * (i + 0.5) / n;
+        sum += testing::norm(piece.derivatives(t, 1)[1]);
+      }
+      estimates.push_back(sum * domain.length() / n);
+    }
+    for (double factor = 4.0; estimates.size() > 1; factor *= 4.0) {
+      for (std::size_t i = 0; i + 1 < estimates.size(); ++i) {
+        estimates[i] = (factor * estimates[i + 1] - estimates[i]) / (factor - 1.0);
+      }
+      estimates.pop_back();
+    }
+    total += estimates[0];
+  }
+  return total;
+}
+
+TEST(ArcLength, AgreesWithBruteForceWithinTheAccuracy) {
+  RandomCurves random(42);
+  for (int i = 0; i < 20; ++i) {
+    const Curve curve = random.curve(random.integer(1, 5), random.integer(2, 4), 2, i % 2 == 0, true);
+    const double expected = brute_force(curve);
+    for (const double accuracy : {1e-4, 1e-9}) {
+      EXPECT_NEAR(arc_length(curve, accuracy), expected, accuracy * expected);
+    }
+  }
+}
+
+TEST(ArcLength, NearCusps) {
+  // (t^2 + e, t^3 + e t): closer and closer to a cusp; the accuracy holds against a much stricter one.
+  for (const double e : {1e-2, 1e-4, 1e-6, 1e-8, 1e-12}) {
+    const Curve curve = Curve::bezier(
+        Points({{1, -1 - e}, {-1.0 / 3, 1 - e / 3}, {-1.0 / 3, -1 + e / 3}, {1, 1 + e}}), {}, {-1, 1});
+    const double exact = arc_length(curve, 1e-15);
+    EXPECT_NEAR(arc_length(curve, 1e-10), exact, 1e-10 * exact);
+    const ArcLength length(curve);
+    for (int k = 0; k <= 100; ++k) {
+      const double s = length.length() * k / 100;
+      EXPECT_NEAR(length.length_to(length.parameter_at(s)), s, 1e-10 * length.length());
+    }
+  }
+}
+
+TEST(ArcLength, VeryHighDegree) {
+  Points points(2, 1100);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    points[i][0] = static_cast<double>(i);
+    points[i][1] = 2.0 * static_cast<double>(i);
+  }
+  // A straight line at constant speed, beyond the degrees whose binomial coefficients fit into a double.
+  EXPECT_NEAR(arc_length(Curve::bezier(points), 1e-6), 1099 * std::sqrt(5.0), 1e-6);
+}
+
 TEST(ArcLength, RefusesNonsense) {
   EXPECT_THROW(ArcLength(quarter_circle(), 0.0), InvalidArgument);
   EXPECT_THROW(ArcLength(quarter_circle(), -1.0), InvalidArgument);

@@ -144,6 +144,101 @@ TEST(Compose, CornersThatCoincideStayWhereTheyAre) {
   EXPECT_EQ(composed.control_points(), square.control_points());
 }
 
+TEST(Compose, FarOffDomains) {
+  RandomCurves random(33);
+  for (int i = 0; i < 200; ++i) {
+    const Interval values{1e6, 1e6 + 1};
+    const Curve outer = with_domain(
+        random.curve(random.integer(1, 4), 2, random.integer(1, 5), i % 2 == 0, i % 3 != 0), values);
+    const Curve inner = increasing(random, random.integer(1, 3), random.integer(1, 5), i % 4 < 2, i % 5 != 0,
+                                   values, {-1e6, -1e6 + 1});
+    const Curve composed = compose(outer, inner);
+    // Values and parameters near 1e6 are good to 1e-10; inner slopes reach 100 where spans are short.
+    for (const double u : probes(composed)) {
+      double speed = norm(composed.derivatives(u, 1)[1]);
+      const double v = inner.evaluate(u)[0];
+      for (const Side side : {Side::left, Side::right})
+        speed = std::max(speed, norm(outer.derivatives(v, 1, side)[1]));
+      EXPECT_LE(testing::distance(composed.evaluate(u), outer.evaluate(v)), 1e-12 + 1e-8 * speed);
+    }
+  }
+}
+
+TEST(Compose, HugeAndTinyCurves) {
+  RandomCurves random(34);
+  for (const double size : {1e300, 1e-300}) {
+    for (int i = 0; i < 50; ++i) {
+      const int p = random.integer(1, 5);
+      const int q = random.integer(1, 4);
+      const Curve usual = random.curve(p, 2, 3, i % 2 == 0, true);
+      Points points = usual.control_points();
+      for (double& x : points.data()) x *= size;
+      const Curve outer(p, usual.knots(), points, usual.weights());
+      const Curve inner = increasing(random, q, 3, i % 4 < 2, true, {0, 1}, {0, 1});
+      const Curve composed = compose(outer, inner);
+      const Curve expected = compose(usual, inner);
+      for (const double u : probes(composed, 11)) {
+        const Point a = composed.evaluate(u);
+        const Point b = expected.evaluate(u);
+        EXPECT_NEAR(a[0] / size, b[0], 1e-12);
+        EXPECT_NEAR(a[1] / size, b[1], 1e-12);
+      }
+    }
+  }
+}
+
+// Breaks of the inner function at knots of the outer one, but for rounding: no knot may be doubled, and
+// corners must be met exactly.
+TEST(Compose, CoincidentBreaksNeverDouble) {
+  RandomCurves random(35);
+  for (int i = 0; i < 300; ++i) {
+    const int p = random.integer(1, 4);
+    const Curve outer = random.curve(p, 2, random.integer(2, 6), i % 2 == 0, true, -2.0, 5.0);
+    const std::vector<Knot> knots = distinct_knots(outer.knots());
+    const int q = random.integer(1, 3);
+    // A C0 inner function of degree q through all the outer knots.
+    std::vector<double> u(static_cast<std::size_t>(q) + 1, 0.0);
+    Points values(1, 0);
+    values.push_back(std::vector<double>{-2.0});
+    for (std::size_t k = 1; k < knots.size(); ++k) {
+      const bool last = k + 1 == knots.size();
+      u.insert(u.end(), static_cast<std::size_t>(last ? q + 1 : q), static_cast<double>(k));
+      const double error = random.uniform(-1e-13, 1e-13);
+      for (int j = 1; j <= q; ++j) {
+        const double share = static_cast<double>(j) / q;
+        values.push_back(
+            std::vector<double>{(1 - share) * knots[k - 1].value + share * knots[k].value + error});
+      }
+    }
+    const Curve inner(q, u, values);
+    const Curve composed = compose(outer, inner);
+    const std::vector<Knot> found = distinct_knots(composed.knots());
+    ASSERT_EQ(found.size(), knots.size());
+    for (std::size_t k = 0; k < knots.size(); ++k) {
+      EXPECT_EQ(found[k].value, static_cast<double>(k));
+      const Point expected = outer.evaluate(knots[k].value);
+      const Point at = composed.evaluate(static_cast<double>(k));
+      // Exact but for the division by the weight.
+      EXPECT_NEAR(at[0], expected[0], 4e-16);
+      EXPECT_NEAR(at[1], expected[1], 4e-16);
+    }
+  }
+}
+
+TEST(Compose, StandstillsOfTheInnerFunction) {
+  // u^3 around its standstill at 0, whose value is a knot of the outer curve, and one beside it.
+  const Curve cube = Curve::bezier(Points(1, std::vector<double>{-1, 1, -1, 1}), {}, {-1, 1});
+  for (const double at : {0.0, 1e-9, 0.3}) {
+    const Curve outer(2, {-1, -1, -1, at, at, 1, 1, 1}, Points({{-1, 1}, {-1, 0}, {0, 0}, {0, 1}, {1, 1}}));
+    const Curve composed = compose(outer, cube);
+    ASSERT_EQ(distinct_knots(composed.knots()).size(), 3U);
+    // Values are rounded to 1e-16; the slope 3 u^2 of the inner function says what that is in u.
+    const double u = std::cbrt(at);
+    EXPECT_NEAR(distinct_knots(composed.knots())[1].value, u, u > 0.0 ? 1e-15 + 2e-16 / (3 * u * u) : 0.0);
+    EXPECT_LE(gap(composed, outer, cube), 1e-12);
+  }
+}
+
 TEST(Compose, IdentityGivesTheCurveBack) {
   RandomCurves random(32);
   const Curve outer = random.curve(3, 2, 6, false, true);

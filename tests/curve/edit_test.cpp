@@ -227,6 +227,59 @@ TEST(Edit, MovedSeamOfAPeriodicCurveStaysSmooth) {
   }
 }
 
+// Periodic curves with uneven and repeated knots, rational too: unclamped from a clamped knot sequence per
+// turn.
+TEST(Edit, MovedSeamOfAnUnevenPeriodicCurve) {
+  RandomCurves random(15);
+  for (int i = 0; i < 200; ++i) {
+    const int degree = random.integer(2, 4);
+    const auto p = static_cast<std::size_t>(degree);
+    std::vector<double> turn{0.1};  // knots of one turn, over [0.1, 1.3)
+    while (turn.size() < 8) {
+      const int copies = random.integer(1, degree - 1);
+      const double next = turn.back() + random.uniform(0.01, 0.2);
+      turn.insert(turn.end(), static_cast<std::size_t>(copies), next);
+    }
+    const std::size_t n = turn.size();
+    const double period = turn.back() + 0.07 - 0.1;
+    std::vector<double> knots;
+    for (std::size_t k = 0; k < n + 2 * p + 1; ++k) {
+      // Knot k stands p places before the start of the domain.
+      const auto place =
+          static_cast<std::ptrdiff_t>(k) - static_cast<std::ptrdiff_t>(p) + static_cast<std::ptrdiff_t>(n);
+      const auto in_turn = static_cast<std::size_t>(place) % n;
+      knots.push_back(turn[in_turn] +
+                      period * (static_cast<double>(static_cast<std::size_t>(place) / n) - 1.0));
+    }
+    const Points base = random.points(2, n);
+    const std::vector<double> base_weights = random.weights(n);
+    Points points;
+    std::vector<double> weights;
+    for (std::size_t k = 0; k < n + p; ++k) {
+      points.push_back(base[k % n]);
+      if (i % 2 == 0) weights.push_back(base_weights[k % n]);
+    }
+    const Curve periodic(degree, knots, points, weights);
+    ASSERT_TRUE(periodic.is_periodic());
+    const double lo = periodic.domain().lo;
+    const double length = periodic.domain().length();
+    for (const double t : {lo, turn[3], turn[5] + length, random.uniform(-3, 3)}) {
+      const Curve moved = move_seam(periodic, t);
+      EXPECT_EQ(moved.domain(), (Interval{t, t + length}));
+      EXPECT_LE(moved.size(), periodic.size() + 1);  // a seam between knots takes one more
+      EXPECT_TRUE(moved.is_closed());
+      for (int k = 0; k < 60; ++k) {
+        const double u = t + length * k / 60;
+        double place = u;
+        while (place < lo) place += length;
+        while (place >= lo + length) place -= length;
+        // Speeds reach 1e3, parameters are rounded a few times.
+        EXPECT_LT(distance(moved.evaluate(u), periodic.evaluate(place)), 1e-11);
+      }
+    }
+  }
+}
+
 TEST(Edit, MovingTheSeamAroundAndBackKeepsKnots) {
   Points square({{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 0}});
   const Curve closed(1, {0, 0, 1, 2, 3, 4, 4}, square);

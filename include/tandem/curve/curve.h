@@ -17,17 +17,15 @@ enum class Side { left, right };
 ///
 /// An immutable regular value; an existing Curve is valid. The knot vector may be unclamped: the domain is
 /// [knots[degree], knots[size()]]. Whether a curve is closed or periodic is a fact of the value.
-/// Knots inside the domain may have multiplicity up to degree + 1 at its ends and degree within (a corner,
-/// C0).
+/// Knots may have multiplicity up to degree + 1 at the ends of the domain and degree within (a corner, C0).
 class TANDEM_EXPORT Curve {
  public:
   /// control_points: dim x n, Euclidean (not premultiplied by the weights); knots: n + degree + 1,
   /// non-decreasing; weights: empty (polynomial) or n, all > 0. Coordinates and knots up to 1e304 in size,
   /// weights within [1e-100, 1e100]: what is computed from them then stays within the range of double.
   /// @throws InvalidArgument a size disagrees, a number is not finite or too large, knots decrease, an
-  /// interior
-  ///         multiplicity exceeds the degree (the curve would break), the domain is empty, or a weight is <=
-  ///         0
+  ///         interior multiplicity exceeds the degree (the curve would break), the domain is empty, or a
+  ///         weight is <= 0
   Curve(int degree, std::vector<double> knots, Points control_points, std::vector<double> weights = {});
 
   /// The Bezier curve of degree n - 1 over `domain`.
@@ -52,8 +50,8 @@ class TANDEM_EXPORT Curve {
 
   /// The ends meet within 1e-9 of the curve's size, and the curve is more than a point.
   [[nodiscard]] bool is_closed() const noexcept { return closed_; }
-  /// The knot spacing and the last `degree` control points (and weights) repeat the first: smooth across the
-  /// seam.
+  /// The knot spacing and the last `degree` control points (and weights) repeat the first ones: the curve is
+  /// smooth across the seam.
   [[nodiscard]] bool is_periodic() const noexcept { return periodic_; }
   /// Diagonal of the control points' bounding box, without overflow; 0 for a point.
   [[nodiscard]] double extent() const noexcept { return extent_; }

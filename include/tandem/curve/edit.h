@@ -6,8 +6,7 @@
 #include "tandem/curve/curve.h"
 #include "tandem/tandem_export.h"
 
-/// Exact editing: every function returns a new curve with the same geometry (or the part of it that it
-/// names).
+/// Exact editing: every function returns a new curve with the same geometry, or the part of it that it names.
 namespace tandem {
 inline namespace v0 {
 
@@ -37,8 +36,8 @@ struct SplitCurve {
   Curve right;
 };
 
-/// The parts over [lo, t] and [t, hi], both clamped. @throws InvalidArgument t is not strictly inside the
-/// domain
+/// The parts over [lo, t] and [t, hi], both clamped.
+/// @throws InvalidArgument t is not strictly inside the domain
 [[nodiscard]] TANDEM_EXPORT SplitCurve split(const Curve& curve, double t);
 
 /// The part over `part`, clamped. @throws InvalidArgument part is empty or reaches outside the domain
@@ -47,16 +46,16 @@ struct SplitCurve {
 /// Traversed backwards over the same domain: reverse(c)(t) = c(lo + hi - t).
 [[nodiscard]] TANDEM_EXPORT Curve reverse(const Curve& curve);
 
-/// The same curve over another domain (affine change of parameter). @throws InvalidArgument the domain is
-/// empty
+/// The same curve over another domain (affine change of parameter).
+/// @throws InvalidArgument the domain is empty
 [[nodiscard]] TANDEM_EXPORT Curve with_domain(const Curve& curve, Interval domain);
 
 /// End knots of multiplicity degree + 1; a clamped curve comes back as it is.
 [[nodiscard]] TANDEM_EXPORT Curve clamp(const Curve& curve);
 
 /// A closed curve starting at t instead: clamped, over [t, t + period], period = length of the domain.
-/// t may lie anywhere on the line; it is taken modulo the period, and the result's domain starts at t as
-/// given.
+/// t may lie anywhere on the line; it is taken modulo the period, and the result's domain starts at t itself.
+/// The old seam becomes a knot of full multiplicity; of a periodic curve it stays as smooth as it is.
 /// @throws InvalidArgument the curve is not closed
 [[nodiscard]] TANDEM_EXPORT Curve move_seam(const Curve& closed, double t);
 
@@ -71,8 +70,7 @@ struct SplitCurve {
 /// The hodograph t -> C'(t); rational curves give a rational curve of twice the degree. A degree-1 curve's
 /// derivative is piecewise constant, which a (continuous) Curve cannot hold.
 /// @throws InvalidArgument the derivative is not continuous (degree 1 with several spans, or a knot of full
-///         multiplicity); use derivatives() with a Side, or take the derivative of each Bezier segment,
-///         instead
+///         multiplicity); use derivatives() with a Side, or take each Bezier segment by itself, instead
 [[nodiscard]] TANDEM_EXPORT Curve derivative_curve(const Curve& curve);
 
 }  // namespace v0
