@@ -118,7 +118,7 @@ void CurvePair::judge(PairState& state) const {
   const double product = std::clamp(dot(a, b, dim_), -1.0, 1.0);
   if (!ruled_ || dot(state.chord, state.chord, dim_) == 0.0) {
     // Both unit vectors: the value is positive while they are nearer to each other than the root of two.
-    const double margin = std::sqrt(2.0) - std::sqrt(2.0 - 2.0 * product);
+    const double margin = ruled_ ? std::sqrt(2.0) - std::sqrt(2.0 - 2.0 * product) : product;
     for (const int sigma : {0, 1}) {
       state.value[sigma] = product;
       state.margin[sigma] = margin;
@@ -135,6 +135,24 @@ void CurvePair::judge(PairState& state) const {
     const double value = product - dot(a, state.chord, dim_) * dot(b, state.chord, dim_);
     for (const int sigma : {0, 1}) state.value[sigma] = state.margin[sigma] = value;
   }
+}
+
+bool CurvePair::certainly_positive(const Interval& part) {
+  if (ruled_) return false;
+  const std::vector<double>& edges_a = a_.edges(part);
+  const std::vector<double>& edges_b = b_.edges(part);
+  // A zero edge gives no direction to any tangent.
+  const auto is_zero = [this](const double* edge) {
+    return std::all_of(edge, edge + dim_, [](double x) { return x == 0.0; });
+  };
+  for (std::size_t i = 0; i < edges_a.size(); i += dim_) {
+    const double* edge_a = edges_a.data() + i;
+    for (std::size_t j = 0; j < edges_b.size(); j += dim_) {
+      const double* edge_b = edges_b.data() + j;
+      if (!(dot(edge_a, edge_b, dim_) > 0.0) && !is_zero(edge_a) && !is_zero(edge_b)) return false;
+    }
+  }
+  return true;
 }
 
 double CurvePair::turning(const PairState& from, const PairState& to) const {

@@ -15,9 +15,10 @@ namespace detail {
 /// test with sigma = +1 and -1 (spec C13); both the same in any other norm.
 struct PairState {
   double u = 0.0;
-  double value[2] = {1.0, 1.0};   ///< the norm's value; negative where the signed test fails
-  double margin[2] = {1.0, 1.0};  ///< > 0 where the value is; shrinks by no more than the directions turn
-  double speed_a = 0.0;           ///< |a'| in units of a's size
+  double value[2] = {1.0, 1.0};  ///< the norm's value; negative where the signed test fails
+  double margin[2] = {1.0,
+                      1.0};  ///< > 0 where the value is; ruled norm: shrinks by no more than directions turn
+  double speed_a = 0.0;      ///< |a'| in units of a's size
   double speed_b = 0.0;
   const double* tangent_a = nullptr;  ///< unit; zero where the curve stands still
   const double* tangent_b = nullptr;
@@ -39,6 +40,7 @@ class CurvePair {
 
   [[nodiscard]] std::size_t dim() const { return dim_; }
   [[nodiscard]] std::size_t spans() const { return spans_.size(); }
+  [[nodiscard]] bool is_ruled() const { return ruled_; }
   /// The planar ruled norm: sigma matters.
   [[nodiscard]] bool is_signed() const { return ruled_ && dim_ == 2; }
 
@@ -47,6 +49,11 @@ class CurvePair {
   [[nodiscard]] PairState at_node(std::size_t slot, std::size_t k);
   /// Strictly inside.
   [[nodiscard]] PairState at(std::size_t slot, double u) { return look_from_both_sides(slot, {u}); }
+
+  /// Tangent norm: its value is certainly positive on this part of the span, whatever happens between
+  /// samples. The ruled norm has no such certificate here.
+  [[nodiscard]] bool certainly_positive(const Interval& part);
+  [[nodiscard]] bool certainly_positive() { return certainly_positive(span_.u); }
 
   /// How far the directions turn from one state to another.
   [[nodiscard]] double turning(const PairState& from, const PairState& to) const;

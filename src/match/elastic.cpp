@@ -18,8 +18,11 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 class ChordRuns {
  public:
   ChordRuns(const Samples& samples, int longest)
-      : count_(static_cast<int>(samples.chords())), extra_(samples.cyclic ? longest : 0), nodes_(samples.size()) {
-    for (int k = -extra_; k < count_; ++k) lengths_.push_back(samples.chord_lengths[static_cast<std::size_t>(wrap(k))]);
+      : count_(static_cast<int>(samples.chords())),
+        extra_(samples.cyclic ? longest : 0),
+        nodes_(samples.size()) {
+    for (int k = -extra_; k < count_; ++k)
+      lengths_.push_back(samples.chord_lengths[static_cast<std::size_t>(wrap(k))]);
     std::vector<int> equal(lengths_.size(), 1);
     for (std::size_t k = 1; k < lengths_.size(); ++k) {
       if (lengths_[k] == lengths_[k - 1]) equal[k] = equal[k - 1] + 1;
@@ -33,7 +36,8 @@ class ChordRuns {
         double sum = 0.0;
         for (int k = first; k < static_cast<int>(end); ++k) sum += length(k);
         runs_.back()[end] = sum;
-        uniform_.back()[end] = equal[static_cast<std::size_t>(static_cast<int>(end) - 1 + extra_)] >= n ? 1 : 0;
+        uniform_.back()[end] =
+            equal[static_cast<std::size_t>(static_cast<int>(end) - 1 + extra_)] >= n ? 1 : 0;
       }
     }
   }
@@ -44,7 +48,9 @@ class ChordRuns {
   /// Lengths of the n chords before each node.
   [[nodiscard]] const std::vector<double>& runs(int n) const { return runs_[static_cast<std::size_t>(n)]; }
   /// Whether the n chords before each node are equally long.
-  [[nodiscard]] const std::vector<std::uint8_t>& uniform(int n) const { return uniform_[static_cast<std::size_t>(n)]; }
+  [[nodiscard]] const std::vector<std::uint8_t>& uniform(int n) const {
+    return uniform_[static_cast<std::size_t>(n)];
+  }
 
  private:
   int count_;
@@ -136,8 +142,8 @@ class EdgeCosts {
   }
 
  private:
-  /// All edges of one step that end in row i: first the integrals, then the costs. Stretches of equal chords, the
-  /// usual case between corners, share one pattern of cells and are filled together.
+  /// All edges of one step that end in row i: first the integrals, then the costs. Stretches of equal chords,
+  /// the usual case between corners, share one pattern of cells and are filled together.
   void fill_row(int i, std::size_t s) {
     const Step step = table_.steps[s];
     if (!table_.rows_cyclic && i < step.a) return;
@@ -172,7 +178,8 @@ class EdgeCosts {
     std::fill_n(integral, n, 0.0);
     std::fill_n(invalid, n, 0.0);
     for (const Cell& cell : cells) {
-      const std::size_t at = chord_row(i - step.a + cell.a) + static_cast<std::size_t>(from - step.b + cell.b);
+      const std::size_t at =
+          chord_row(i - step.a + cell.a) + static_cast<std::size_t>(from - step.b + cell.b);
       const double* cost = chords_.cost.data() + at;
       const double* flag = chord_invalid_.data() + at;
       const double share = cell.share;
@@ -192,8 +199,8 @@ class EdgeCosts {
     double integral = 0.0;
     double invalid = 0.0;
     for (const Cell& cell : cells_) {
-      const std::size_t at = chord_row(i - step.a + cell.a) +
-                             static_cast<std::size_t>(runs_b_.wrap(j - step.b + cell.b));
+      const std::size_t at =
+          chord_row(i - step.a + cell.a) + static_cast<std::size_t>(runs_b_.wrap(j - step.b + cell.b));
       const double cost = chords_.cost[at];
       integral = aggregate_ == Aggregate::maximum ? std::max(integral, cost) : integral + cell.share * cost;
       invalid += cell.share * chord_invalid_[at];
@@ -232,7 +239,8 @@ class EdgeCosts {
     const auto rows = static_cast<int>(table_.rows);
     const auto cols = static_cast<int>(table_.cols);
     const auto allowed = [&](int i, int j) {
-      return mask_.allows(static_cast<std::size_t>((i + rows) % rows), static_cast<std::size_t>((j + cols) % cols));
+      return mask_.allows(static_cast<std::size_t>((i + rows) % rows),
+                          static_cast<std::size_t>((j + cols) % cols));
     };
     for (int i = 0; i < rows; ++i) {
       for (std::size_t s = 0; s < table_.steps.size(); ++s) {

@@ -126,8 +126,8 @@ NormValue from_value(double value, double invalid_below) {
   return {std::max(0.0, 1.0 - value), value < invalid_below};
 }
 
-/// <T1,T2> of all pairs, row by row with the coordinates of b in planes of their own, so that a row is one loop over
-/// lanes.
+/// <T1,T2> of all pairs, row by row with the coordinates of b in planes of their own, so that a row is one
+/// loop over lanes.
 NodeTable tangent_table(const Sites& a, const Sites& b, const TableOptions& options) {
   NodeTable table = empty_table(a, b);
   const auto dim = static_cast<std::size_t>(a.tangents->dim());
@@ -219,7 +219,8 @@ NodeTable make_table(const Sites& a, const Sites& b, const Norm& norm, const Tab
 NodeTable node_costs(const Samples& a, const Samples& b, const Norm& norm, const FeatureOptions& features,
                      RuledSign sign) {
   NodeTable table = make_table(node_sites(a), node_sites(b), norm, {0.0, 1.0, sign, features});
-  for (std::size_t k = 0; k < table.cost.size(); ++k) table.cost[k] = table.invalid[k] != 0 ? 0.0 : table.cost[k];
+  for (std::size_t k = 0; k < table.cost.size(); ++k)
+    table.cost[k] = table.invalid[k] != 0 ? 0.0 : table.cost[k];
   return table;
 }
 

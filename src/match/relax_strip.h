@@ -14,8 +14,12 @@ namespace detail {
 /// Where a cell's path comes from.
 enum Move : std::uint8_t { kDiagonal, kLeft, kUp };
 
-[[nodiscard]] constexpr double infinite_like(double) noexcept { return std::numeric_limits<double>::infinity(); }
-[[nodiscard]] constexpr LexCost infinite_like(LexCost) noexcept { return LexCost::infinite(); }
+[[nodiscard]] constexpr double infinite_like(double) noexcept {
+  return std::numeric_limits<double>::infinity();
+}
+[[nodiscard]] constexpr LexCost infinite_like(LexCost) noexcept {
+  return LexCost::infinite();
+}
 
 template <class Join>
 [[nodiscard]] constexpr double extend(double path, double node) noexcept {
@@ -50,12 +54,12 @@ struct Chosen {
 /// Rows that one strip advances together.
 inline constexpr std::size_t kStripRows = 4;
 
-/// Runs [C] eq. (7) over kStripRows rows at once, each one column behind the row above it: a row alone waits for the
-/// sum before it at every cell, four of them wait together. Ties: diagonal, left, up.
+/// Runs [C] eq. (7) over kStripRows rows at once, each one column behind the row above it: a row alone waits
+/// for the sum before it at every cell, four of them wait together. Ties: diagonal, left, up.
 ///
-/// nodes: kStripRows rows of `cols` node costs; above: the row before the strip, replaced by the strip's last row;
-/// before: the cell left of it (finite only before the first node of all); moves: kStripRows rows of `cols`. Rows from
-/// `rows` on are not used. V is double (costs alone) or LexCost.
+/// nodes: kStripRows rows of `cols` node costs; above: the row before the strip, replaced by the strip's last
+/// row; before: the cell left of it (finite only before the first node of all); moves: kStripRows rows of
+/// `cols`. Rows from `rows` on are not used. V is double (costs alone) or LexCost.
 template <class Join, class V>
 void relax_strip(const std::array<const V*, kStripRows>& nodes, std::size_t rows, std::size_t cols,
                  std::vector<V>& above, V before, std::uint8_t* moves) {

@@ -19,6 +19,14 @@ double largest_coordinate(const Curve& curve) {
   return largest;
 }
 
+/// A rational curve's derivative is a difference over the weight: small weights magnify what cancels among
+/// large ones.
+double weight_ratio(const Curve& curve) {
+  if (!curve.is_rational()) return 1.0;
+  const auto [least, greatest] = std::minmax_element(curve.weights().begin(), curve.weights().end());
+  return *greatest / *least;
+}
+
 /// The degree + 1 Bernstein polynomials at s.
 void bernstein(double* value, std::size_t degree, double s) {
   value[0] = 1.0;
@@ -50,6 +58,14 @@ void keep_left(std::vector<double>& points, std::size_t degree, std::size_t stri
   }
 }
 
+/// Bezier points over `whole`, to those over `part` of it.
+void restrict_to(const Interval& part, const Interval& whole, std::vector<double>& points, std::size_t degree,
+                 std::size_t stride) {
+  const double hi = std::min(part.hi, whole.hi);
+  if (hi < whole.hi) keep_left(points, degree, stride, (hi - whole.lo) / whole.length());
+  if (part.lo > whole.lo) keep_right(points, degree, stride, (part.lo - whole.lo) / (hi - whole.lo));
+}
+
 }  // namespace
 
 double normalise_scaled(double* v, std::size_t dim) {
@@ -68,11 +84,13 @@ SpanCurve::SpanCurve(const Curve& curve, std::size_t chords)
       stride_(static_cast<std::size_t>(pieces_.stride)),
       chords_(chords),
       size_(curve.extent() > 0.0 ? curve.extent() : 1.0),
-      rounding_(std::numeric_limits<double>::epsilon() * largest_coordinate(curve)),
+      rounding_(std::numeric_limits<double>::epsilon() * largest_coordinate(curve) * weight_ratio(curve)),
       coefficients_(pieces_.piece_length()),
       differences_(degree_ * stride_),
       lower_((chords + 2) * degree_),
       upper_((chords + 2) * (degree_ + 1)),
+      part_(coefficients_.size()),
+      edges_(degree_ * dim_),
       workspace_((2 * degree_ + 1) * dim_) {
   for (std::size_t k = 0; k <= chords; ++k) {
     const double s = static_cast<double>(k) / static_cast<double>(chords);
@@ -83,15 +101,27 @@ SpanCurve::SpanCurve(const Curve& curve, std::size_t chords)
 
 void SpanCurve::enter(std::size_t i, const Interval& span) {
   span_ = span;
-  const double lo = pieces_.breaks[i].value;
-  const double hi = pieces_.breaks[i + 1].value;
+  const Interval whole{pieces_.breaks[i].value, pieces_.breaks[i + 1].value};
   std::copy(pieces_[i], pieces_[i] + coefficients_.size(), coefficients_.begin());
-  if (span.hi < hi) keep_left(coefficients_, degree_, stride_, (span.hi - lo) / (hi - lo));
-  if (span.lo > lo)
-    keep_right(coefficients_, degree_, stride_, (span.lo - lo) / (std::min(span.hi, hi) - lo));
+  restrict_to(span, whole, coefficients_, degree_, stride_);
   for (std::size_t k = 0; k < differences_.size(); ++k) {
     differences_[k] = static_cast<double>(degree_) * (coefficients_[k + stride_] - coefficients_[k]);
   }
+}
+
+const std::vector<double>& SpanCurve::edges(const Interval& part) {
+  part_ = coefficients_;
+  restrict_to(part, span_, part_, degree_, stride_);
+  for (std::size_t k = 0; k < degree_; ++k) {
+    const double* from = part_.data() + k * stride_;
+    const double* to = from + stride_;
+    const double weight_from = pieces_.rational ? from[dim_] : 1.0;
+    const double weight_to = pieces_.rational ? to[dim_] : 1.0;
+    for (std::size_t c = 0; c < dim_; ++c) {
+      edges_[k * dim_ + c] = (to[c] / weight_to - from[c] / weight_from) / size_;
+    }
+  }
+  return edges_;
 }
 
 double SpanCurve::look(const SpanPlace& place, Side side, double* tangent, double* point) {

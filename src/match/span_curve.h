@@ -37,9 +37,14 @@ class SpanCurve {
   /// `side`, and zero itself where the curve stands still.
   double look(const SpanPlace& place, Side side, double* tangent, double* point);
 
+  /// Differences of the Bezier points over `part`, a part of the span, in units of the curve's size: degree *
+  /// dim numbers. Every tangent there is a combination of them with factors >= 0, of rational curves as well.
+  /// Valid until the next call.
+  [[nodiscard]] const std::vector<double>& edges(const Interval& part);
+
   /// Unit of the speeds: the curve's extent, 1 for a point.
   [[nodiscard]] double size() const { return size_; }
-  /// What rounding makes of a coordinate: one unit in the last place of the largest.
+  /// What rounding makes of a coordinate: one unit in the last place of the largest, more for uneven weights.
   [[nodiscard]] double rounding() const { return rounding_; }
 
  private:
@@ -59,6 +64,8 @@ class SpanCurve {
   std::vector<double> differences_;   ///< of these, times the degree
   std::vector<double> lower_;  ///< Bernstein polynomials of one degree less, at every node and one free place
   std::vector<double> upper_;  ///< of the degree
+  std::vector<double> part_;   ///< workspace of edges()
+  std::vector<double> edges_;
   std::vector<double> workspace_;
 };
 

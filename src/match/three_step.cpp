@@ -27,15 +27,18 @@ struct Window {
   int cols = 0;
 };
 
-/// The node costs as a programme reads them, in type V: LexCost, or double, where an invalid node costs a penalty
-/// above anything that valid nodes can add up to. The penalty makes sums of doubles lexicographic: the count of
-/// invalid nodes exactly, the costs to rounding at the size of the penalties ([C]'s own way: Cost >= 2m). It is a
-/// power of two.
+/// The node costs as a programme reads them, in type V: LexCost, or double, where an invalid node costs a
+/// penalty above anything that valid nodes can add up to. The penalty makes sums of doubles lexicographic:
+/// the count of invalid nodes exactly, the costs to rounding at the size of the penalties ([C]'s own way:
+/// Cost >= 2m). It is a power of two.
 template <class V>
 class Nodes {
  public:
   Nodes(const NodeTable& table, double most, double threshold)
-      : table_(table), rows_(static_cast<int>(table.rows)), cols_(static_cast<int>(table.cols)), threshold_(threshold) {
+      : table_(table),
+        rows_(static_cast<int>(table.rows)),
+        cols_(static_cast<int>(table.cols)),
+        threshold_(threshold) {
     // A closed path has at most rows + cols nodes.
     const double total = most * static_cast<double>(table.rows + table.cols);
     penalty_ = std::scalbn(1.0, std::ilogb(std::max(total, 1e-300)) + 1);
@@ -74,8 +77,12 @@ class Nodes {
   double penalty_;
 };
 
-bool reaches(double cost) { return cost < kInfinity; }
-bool reaches(LexCost cost) { return cost.cost < kInfinity; }
+bool reaches(double cost) {
+  return cost < kInfinity;
+}
+bool reaches(LexCost cost) {
+  return cost.cost < kInfinity;
+}
 
 std::vector<Node> backtrack(const Window& w, const std::vector<std::uint8_t>& moves) {
   std::vector<Node> nodes;
@@ -100,8 +107,8 @@ struct TracedPath {
   bool cancelled = false;
 };
 
-/// The optimal path from a window's first node to its last. On a closed path the first node's own cost does not
-/// count: it is the last node too.
+/// The optimal path from a window's first node to its last. On a closed path the first node's own cost does
+/// not count: it is the last node too.
 template <class Join, class V>
 TracedPath<V> trace_window(const Nodes<V>& nodes, const Window& w, bool count_start) {
   using detail::kStripRows;
@@ -137,8 +144,12 @@ struct OriginRow {
   std::vector<int> origin;
 };
 
-LexCost as_lex(double cost) { return {0.0, cost}; }
-LexCost as_lex(LexCost cost) { return cost; }
+LexCost as_lex(double cost) {
+  return {0.0, cost};
+}
+LexCost as_lex(LexCost cost) {
+  return cost;
+}
 
 /// Bounds for the starts (k,0), first <= k < last, of the toroidal form: one programme from all of them.
 template <class Join, class V>
@@ -192,7 +203,8 @@ TracedPath<V> best_closed(const Nodes<V>& nodes, const Progress& progress) {
 
 /// The best of `count` windows, each with a programme of its own; the first one on a tie.
 template <class Join, class V, class WindowAt>
-TracedPath<V> best_window(const Nodes<V>& nodes, int count, const WindowAt& window_at, const Progress& progress) {
+TracedPath<V> best_window(const Nodes<V>& nodes, int count, const WindowAt& window_at,
+                          const Progress& progress) {
   TracedPath<V> best;
   for (int k = 0; k < count; ++k) {
     if (progress && !progress(static_cast<double>(k) / count)) {
@@ -221,8 +233,8 @@ double check_table(const NodeTable& table) {
   return most;
 }
 
-/// The path with its cost and invalid nodes counted anew, without penalties. skip: nodes at its start that do not
-/// count.
+/// The path with its cost and invalid nodes counted anew, without penalties. skip: nodes at its start that do
+/// not count.
 Path rescored(std::vector<Node> nodes, const NodeTable& table, Aggregate aggregate, std::size_t skip) {
   Path path;
   path.nodes = std::move(nodes);
@@ -237,8 +249,8 @@ Path rescored(std::vector<Node> nodes, const NodeTable& table, Aggregate aggrega
   return path;
 }
 
-/// Runs find(nodes, join). For Aggregate::maximum twice: the least maximum first, then the least sum among the paths
-/// that stay below it. closed: the start does not count.
+/// Runs find(nodes, join). For Aggregate::maximum twice: the least maximum first, then the least sum among
+/// the paths that stay below it. closed: the start does not count.
 template <class Find>
 Path aggregate_path(const NodeTable& table, Aggregate aggregate, bool closed, const Find& find) {
   const double most = check_table(table);
@@ -291,14 +303,22 @@ Path closed_path(const NodeTable& table, Aggregate aggregate, const Progress& pr
 Path pinned_path(const NodeTable& table, Aggregate aggregate, const Progress& progress) {
   return aggregate_path(table, aggregate, false, [&](const auto& nodes, auto join) {
     return best_window<decltype(join)>(
-        nodes, nodes.cols(), [&](int k) { return Window{0, k, nodes.rows(), nodes.cols()}; }, progress);
+        nodes, nodes.cols(),
+        [&](int k) {
+          return Window{0, k, nodes.rows(), nodes.cols()};
+        },
+        progress);
   });
 }
 
 Path cut_path(const NodeTable& table, Aggregate aggregate, const Progress& progress) {
   return aggregate_path(table, aggregate, false, [&](const auto& nodes, auto join) {
     return best_window<decltype(join)>(
-        nodes, nodes.rows(), [&](int k) { return Window{k, 0, nodes.rows() + 1, nodes.cols()}; }, progress);
+        nodes, nodes.rows(),
+        [&](int k) {
+          return Window{k, 0, nodes.rows() + 1, nodes.cols()};
+        },
+        progress);
   });
 }
 

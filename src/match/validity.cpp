@@ -33,6 +33,8 @@ constexpr double kFineTurning = 0.01;
 constexpr std::size_t kMostSharpened = 8;
 /// Valleys no deeper than this are rounding, or not worth the while.
 constexpr double kDepth = 1e-9;
+/// Shares of the length, and values, that differ by no more than rounding.
+constexpr double kTie = 1e-12;
 /// Angles may be off by this much before a turn counts as more than half a circle.
 constexpr double kAngleRounding = 1e-9;
 /// Domains may differ by rounding of a change of parameter.
@@ -162,6 +164,7 @@ class Check {
 
   void look_at_span(std::size_t span) {
     pair_.enter_span(span);
+    certain_ = pair_.certainly_positive();
     std::array<PairState, kChords + 1> states;
     for (std::size_t i = 0; i <= kChords; ++i) states[i] = pair_.at_node(i, i);
     for (std::size_t sigma = 0; sigma < signs_; ++sigma) {
@@ -217,9 +220,14 @@ class Check {
     }
   }
 
-  [[nodiscard]] bool might_hide_something(const PairState& from, const PairState& to) const {
+  [[nodiscard]] bool might_hide_something(const PairState& from, const PairState& to) {
     const double turning = pair_.turning(from, to);
     if (turning > kCoarseTurning) return true;
+    if (!pair_.is_ruled()) {
+      if (from.value[0] > 0.0 && to.value[0] > 0.0)
+        return !certain_ && !pair_.certainly_positive({from.u, to.u});
+      return (from.value[0] > 0.0 || to.value[0] > 0.0) && turning > kFineTurning;
+    }
     // The curves might meet and part again, with the same direction from one to the other before and after.
     if (std::min(from.gap, to.gap) < std::max(from.gap_speed, to.gap_speed) * (to.u - from.u)) return true;
     for (std::size_t sigma = 0; sigma < signs_; ++sigma) {
@@ -231,10 +239,16 @@ class Check {
     return false;
   }
 
-  /// The sign of the ruled test with which less of the length is invalid.
+  /// The sign of the ruled test with which less of the length is invalid; if that is the same, the one with
+  /// the higher minimum, then the higher mean: the order of the curves must not decide.
   [[nodiscard]] std::size_t better_sign() const {
     if (signs_ == 1) return 0;
-    return invalid(tallies_[1]) < invalid(tallies_[0]) ? 1 : 0;
+    const Tally& plus = tallies_[0];
+    const Tally& minus = tallies_[1];
+    const double shares = invalid(minus) - invalid(plus);
+    if (std::abs(shares) > kTie) return shares < 0.0 ? 1 : 0;
+    if (std::abs(minus.least - plus.least) > kTie) return minus.least > plus.least ? 1 : 0;
+    return mean(minus) > mean(plus) ? 1 : 0;
   }
 
   [[nodiscard]] static double share_of(double part, double whole) { return whole > 0.0 ? part / whole : 0.0; }
@@ -297,6 +311,7 @@ class Check {
   double way_b_ = 0.0;
   PlanarTangents first_start_{};
   PlanarTangents last_end_{};
+  bool certain_ = false;  ///< nothing in this span can be invalid
   bool backtracks_ = false;
 };
 
