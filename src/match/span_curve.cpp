@@ -92,6 +92,12 @@ SpanCurve::SpanCurve(const Curve& curve, std::size_t chords)
       part_(coefficients_.size()),
       edges_(degree_ * dim_),
       workspace_((2 * degree_ + 1) * dim_) {
+  // Both curves in their own units: the chord between them is asked for.
+  if (pieces_.scale != 1.0) {
+    for (std::size_t k = 0; k < pieces_.coefficients.size(); ++k) {
+      if (k % stride_ < dim_) pieces_.coefficients[k] /= pieces_.scale;
+    }
+  }
   for (std::size_t k = 0; k <= chords; ++k) {
     const double s = static_cast<double>(k) / static_cast<double>(chords);
     bernstein(lower_.data() + k * degree_, degree_ - 1, s);
