@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <span>
 #include <utility>
@@ -60,6 +61,11 @@ std::vector<CubicPath> close_meeting_ends(std::vector<CubicPath> paths) {
     if (!path.is_closed() && ends_meet(path)) path = closed_by_line(path);
   }
   return paths;
+}
+
+bool is_in_range(const CubicPath& path) {
+  const std::span<const double> coordinates = path.control_points().data();
+  return std::all_of(coordinates.begin(), coordinates.end(), [](double x) { return in_range(x); });
 }
 
 void check_range(Vec2 point, const Transform& transform, std::size_t offset) {

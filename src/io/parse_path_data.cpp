@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -50,10 +51,11 @@ class PathDataReader {
         read_command();
         scanner_.skip_blanks();
       }
-      return builder_.take();
-    } catch (const InvalidArgument& error) {  // an arc so large that its points overflow
-      Scanner::fail(scanner_.position(), error.what());
+      std::vector<CubicPath> paths = builder_.take();
+      if (std::all_of(paths.begin(), paths.end(), is_in_range)) return paths;
+    } catch (const InvalidArgument&) {  // not finite
     }
+    Scanner::fail(scanner_.position(), "an arc reaches beyond the largest coordinate, 1e300");
   }
 
  private:

@@ -17,6 +17,9 @@ inline namespace v0 {
 /// becomes closed, by a line when there is a gap. Other paths stay as they are.
 [[nodiscard]] std::vector<CubicPath> close_meeting_ends(std::vector<CubicPath> paths);
 
+/// Whether all control points are within kLargestCoordinate: an arc can reach far beyond its ends.
+[[nodiscard]] bool is_in_range(const CubicPath& path);
+
 /// Throws SyntaxError at `offset` when the point, or its image, is not finite or beyond kLargestCoordinate.
 void check_range(Vec2 point, const Transform& transform, std::size_t offset);
 

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <utility>
 
-#include "io/limits.h"
 #include "io/path_data_reader.h"
 #include "io/svg_values.h"
 #include "tandem/error.h"
@@ -151,11 +150,6 @@ std::vector<CubicPath> read_path(const SvgDocument& document, const pugi::xml_no
   }
 }
 
-bool in_range(const CubicPath& path) {
-  const auto data = path.control_points().data();
-  return std::all_of(data.begin(), data.end(), [](double x) { return std::fabs(x) <= kLargestCoordinate; });
-}
-
 }  // namespace
 
 std::optional<double> read_length(const SvgDocument& document, const pugi::xml_node& node,
@@ -188,7 +182,7 @@ std::vector<CubicPath> read_svg_shape(const SvgDocument& document, const pugi::x
   constexpr const char* kTooLarge = "the shape reaches beyond the largest coordinate, 1e300";
   try {
     std::vector<CubicPath> paths = ShapeReader(document, node, transform, viewport).read(name);
-    if (!std::all_of(paths.begin(), paths.end(), in_range)) document.fail(node, kTooLarge);
+    if (!std::all_of(paths.begin(), paths.end(), is_in_range)) document.fail(node, kTooLarge);
     return fill ? close_meeting_ends(std::move(paths)) : paths;
   } catch (const InvalidArgument&) {
     document.fail(node, kTooLarge);

@@ -135,6 +135,7 @@ const BadInput kBad[] = {
     {"M0 0a1 1 0 0 5 3 4", 1, 14, "expected the sweep flag of a (0 or 1), found '5'"},
     {"M0 0a1 1 0 0", 1, 13, "expected the sweep flag of a (0 or 1), found the end"},
     {"M0 0A1e308 1 0 0 1 3 4", 1, 6, "beyond the largest coordinate"},
+    {"M0 1e300A6 1 30 0 1 99 13", 1, 26, "an arc reaches beyond the largest coordinate"},
     {std::string("M1 2\0L3 4", 9), 1, 5, "found byte 0x00"},
 };
 
