@@ -90,6 +90,11 @@ void expect_sound(const Reparametrization& result, const FitPath& path, const Re
   RC_ASSERT(std::abs(result.max_deviation - deviation(v, path)) <= noise);
 }
 
+void expect_increasing(const Curve& v) {
+  for (std::size_t i = 1; i < v.size(); ++i)
+    EXPECT_GT(v.control_points()[i][0], v.control_points()[i - 1][0]);
+}
+
 TEST(Fit, IsALineForTwoPoints) {
   const FitPath path{{{1, 10}, {3, 40}}, {}};
   for (const ReductionOptions& options : {by_coefficients(2), by_coefficients(20), by_coefficients(7, 4),
@@ -134,9 +139,7 @@ TEST(Fit, HoldsIncrementsThatTheDataWouldTurn) {
   for (const int order : {2, 3, 4}) {
     const ReductionOptions options = by_coefficients(20, order);
     const Reparametrization result = fit(path, options);
-    for (std::size_t i = 1; i < 20; ++i) {
-      EXPECT_GT(result.v.control_points()[i][0], result.v.control_points()[i - 1][0]);
-    }
+    expect_increasing(result.v);
     EXPECT_LE(result.max_deviation, 0.5);
   }
 }
@@ -340,6 +343,20 @@ TEST(Fit, SaysWhatIsWrong) {
     (void)fit(FitPath{{{0, 0}, {1, 2}, {0.5, 3}, {2, 4}}, {}}, {});
   } catch (const InvalidArgument& error) {
     EXPECT_STREQ(error.what(), "point 2 of the path is (0.5, 3), which steps back from (1, 2)");
+  }
+}
+
+TEST(Fit, KeepsIncrementsThatRoundingWouldClose) {
+  // Flat, then steep, far from 0: the least slope alone would ask for increments of 1.5e-11 where doubles
+  // are 1.2e-10 apart.
+  const FitPath path{{{0, 1e6}, {0.6, 1e6}, {0.8, 1e6 + 0.3}, {1, 1e6 + 0.3}}, {}};
+  for (const int order : {2, 3, 4}) {
+    ReductionOptions options = by_coefficients(20, order);
+    options.min_slope = 1e-9;
+    expect_increasing(fit(path, options).v);
+    options = by_tolerance(1e-6, order);
+    options.min_slope = 1e-9;
+    expect_increasing(fit(path, options).v);
   }
 }
 

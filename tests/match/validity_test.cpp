@@ -67,18 +67,26 @@ TEST(Validity, FindsTheInvalidPart) {
 }
 
 TEST(Validity, SharpensTheMinimum) {
-  // <T1,T2> of a parabola and a line: the least value lies where the parabola is steepest against it.
-  const Curve bump(3, {0, 0, 0, 0, 1, 1, 1, 1}, {{0, 0}, {0.3, 1.7}, {0.8, -1.5}, {1, 0}});
-  const Curve line = segment(0, 0, 1, 0);
+  // The least <T1,T2> lies inside the span, between any of its dyadic points.
+  const Curve bump = Curve::bezier({{0, 0}, {1, 0.1}, {1.2, 1.3}, {2.5, 1.4}});
   double least = 1.0;
+  double where = 0.0;
   for (int i = 0; i <= 1000000; ++i) {
     const double t = i / 1e6;
     const double s = 1 - t;
-    const double dx = 3 * (s * s * 0.3 + 2 * s * t * 0.5 + t * t * 0.2);
-    const double dy = 3 * (s * s * 1.7 + 2 * s * t * -3.2 + t * t * 1.5);
-    least = std::min(least, dx / std::sqrt(dx * dx + dy * dy));
+    const double dx = s * s * 1.0 + 2 * s * t * 0.2 + t * t * 1.3;
+    const double dy = s * s * 0.1 + 2 * s * t * 1.2 + t * t * 0.1;
+    const double value = dx / std::sqrt(dx * dx + dy * dy);
+    if (value < least) {
+      least = value;
+      where = t;
+    }
   }
-  EXPECT_NEAR(check_validity(bump, line).min_dot, least, 1e-9);
+  ASSERT_GT(where, 0.1);
+  ASSERT_LT(where, 0.9);
+  const Validity validity = check_validity(bump, segment(0, 0, 1, 0));
+  EXPECT_NEAR(validity.min_dot, least, 1e-10);
+  EXPECT_NEAR(validity.worst_u, where, 1e-4);
 }
 
 TEST(Validity, SeesBothSidesOfCorners) {
@@ -112,13 +120,38 @@ TEST(Validity, AcceptsEqualCusps) {
   EXPECT_TRUE(check_validity(elbow(0, -170), cusp).valid);
 }
 
+/// A closed polygon of four edges with the given headings, in degrees; the first is 1 long, the third
+/// `third`.
+Curve loop(const std::array<double, 4>& headings, double third) {
+  double x[4];
+  double y[4];
+  for (std::size_t i = 0; i < 4; ++i) {
+    x[i] = std::cos(headings[i] * kDegree);
+    y[i] = std::sin(headings[i] * kDegree);
+  }
+  // The other two edges close it.
+  const double rest_x = -(x[0] + third * x[2]);
+  const double rest_y = -(y[0] + third * y[2]);
+  const double determinant = x[1] * y[3] - x[3] * y[1];
+  const double second = (rest_x * y[3] - x[3] * rest_y) / determinant;
+  const double px = x[0] + second * x[1];
+  const double py = y[0] + second * y[1];
+  return Curve(1, {0, 0, 1, 2, 3, 4, 4},
+               {{0, 0}, {x[0], y[0]}, {px, py}, {px + third * x[2], py + third * y[2]}, {0, 0}});
+}
+
 TEST(Validity, LooksAtTheSeamOfClosedCurves) {
-  // Triangles whose only sharp corner is the seam, bent to either side.
-  const auto loop = [](double sign) {
-    return Curve(1, {0, 0, 1, 2, 3, 3}, {{0, 0}, {1, 0}, {1, sign * 0.1}, {0, 0}});
-  };
-  EXPECT_FALSE(check_validity(loop(1), loop(-1)).valid);
-  EXPECT_TRUE(check_validity(loop(1), loop(1)).valid);
+  // Nowhere more than 20 degrees apart; at the seam one turns by +170 degrees and the other by -170.
+  const Curve a = loop({0, -60, 100, 190}, 0.9);
+  const Curve b = loop({0, -60, 100, 170}, 0.5);
+  ASSERT_TRUE(a.is_closed() && b.is_closed());
+  const Validity validity = check_validity(a, b);
+  EXPECT_NEAR(validity.min_dot, std::cos(20 * kDegree), 1e-12);
+  EXPECT_FALSE(validity.valid);
+  EXPECT_TRUE(check_validity(a, a).valid);
+  // Cut open, there is no corner.
+  const Interval open{0, 3.9};
+  EXPECT_TRUE(check_validity(subcurve(a, open), subcurve(b, open)).valid);
 }
 
 TEST(Validity, TakesLimitsWhereTheSpeedIsZero) {
@@ -133,6 +166,35 @@ TEST(Validity, TakesLimitsWhereTheSpeedIsZero) {
   const Curve arriving = Curve::bezier({{0, 0}, {0, 1}, {1, 1}, {1, 1}});
   EXPECT_NEAR(check_validity(arriving, segment(0, 0, 1, 0)).min_dot, 0.0, 1e-12);
   EXPECT_NEAR(check_validity(arriving, segment(0, 0, 0, 1)).min_dot, 0.0, 1e-12);
+}
+
+TEST(Validity, TakesHigherLimitsFromTheRightSide) {
+  // Speed zero to the second order, at both ends: the third derivative points forwards from either side.
+  const Curve diagonal = segment(0, 0, 1, 1);
+  EXPECT_NEAR(check_validity(Curve::bezier({{0, 0}, {1, 1}, {1, 1}, {1, 1}}), diagonal).min_dot, 1.0, 1e-14);
+  EXPECT_NEAR(check_validity(Curve::bezier({{0, 0}, {0, 0}, {0, 0}, {1, 1}}), diagonal).min_dot, 1.0, 1e-14);
+}
+
+TEST(Validity, IntegratesSharpTurnsFinely) {
+  // A narrow parabola: near its tip, for a fiftieth of the span, the tangent is upright; elsewhere it lies
+  // flat.
+  const double c = 0.37;
+  const double h = 0.02;
+  const Curve tip = Curve::bezier({{c * c, 0}, {c * c - c, h / 2}, {(1 - c) * (1 - c), h}});
+  const Validity validity = check_validity(tip, segment(0, 0, 0, 1));
+  double value_a = 0.0;
+  double length_a = 0.0;
+  double value_b = 0.0;
+  const int n = 100000;
+  for (int k = 0; k < n; ++k) {
+    const double t = (k + 0.5) / n;
+    const double speed = std::sqrt(4 * (t - c) * (t - c) + h * h);
+    value_a += h / n;
+    length_a += speed / n;
+    value_b += h / speed / n;
+  }
+  // The trapezoidal rule over turns of up to half a radian.
+  EXPECT_NEAR(validity.mean_dot, 0.5 * value_a / length_a + 0.5 * value_b, 3e-3);
 }
 
 TEST(Validity, FindsACuspInsideASpan) {
