@@ -39,6 +39,15 @@ std::vector<Place> interior_places(std::span<const Spline> splines) {
   return places;
 }
 
+// Every knot at `from` goes to `to`, unless another knot of the same spline stands there or on the way: the
+// two together could exceed the multiplicity that the degree allows.
+void move_knot(std::vector<double>& knots, double from, double to) {
+  const auto [first, last] = std::equal_range(knots.begin(), knots.end(), from);
+  const bool blocked =
+      to > from ? last != knots.end() && *last <= to : first != knots.begin() && *(first - 1) >= to;
+  if (!blocked || to == from) std::fill(first, last, to);
+}
+
 }  // namespace
 
 void snap_knots(std::span<Spline> splines) {
@@ -57,11 +66,8 @@ void snap_knots(std::span<Spline> splines) {
       ++end;
     }
     const double value = places[leader].value;
-    for (std::size_t i = begin; i < end; ++i) {
-      std::vector<double>& knots = splines[places[i].spline].knots;
-      const auto [first, last] = std::equal_range(knots.begin(), knots.end(), places[i].value);
-      std::fill(first, last, value);
-    }
+    for (std::size_t i = begin; i < end; ++i)
+      move_knot(splines[places[i].spline].knots, places[i].value, value);
     begin = end;
   }
 }

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "curve/random_curves.h"
@@ -47,6 +48,19 @@ TEST(Compatible, OwnNearKnotsStayApart) {
   const Curve twin(1, {0, 0, 0.5, 0.5 + 1e-12, 1, 1}, Points({{0, 0}, {1, 2}, {3, 1}, {4, 0}}));
   const std::vector<Curve> curves{twin, twin};
   EXPECT_EQ(make_compatible(curves)[1], twin);
+}
+
+TEST(Compatible, NeverMovesAKnotOntoAnotherOfItsOwn) {
+  // Two corners of b lie within snapping distance of a's one; both there would break the curve.
+  const Curve a(1, {0, 0, 0.5, 1, 1}, Points({{0, 0}, {1, 2}, {4, 0}}));
+  for (const double gap : {-5e-11, 5e-11}) {
+    const double lo = std::min(0.5, 0.5 + gap);
+    const double hi = std::max(0.5, 0.5 + gap);
+    const Curve b(1, {0, 0, lo, hi, 1, 1}, Points({{0, 0}, {1, 2}, {1, 3}, {4, 0}}));
+    const std::vector<Curve> same = make_compatible(std::vector<Curve>{a, b});
+    EXPECT_EQ(same[1], b);
+    EXPECT_EQ(same[0].knots(), b.knots());
+  }
 }
 
 TEST(CommonDenominator, BlendsEuclideanPoints) {
