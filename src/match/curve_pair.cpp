@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
+
+#include "match/vector.h"
 
 namespace tandem {
 inline namespace v0 {
@@ -15,12 +18,11 @@ constexpr double kSameKnot = 1e-12;
 constexpr double kMeet = 64.0;
 
 double dot(const double* a, const double* b, std::size_t dim) {
-  double sum = 0.0;
-  for (std::size_t c = 0; c < dim; ++c) sum += a[c] * b[c];
-  return sum;
+  return detail::dot(std::span(a, dim), std::span(b, dim));
 }
 
-double distance(const double* a, const double* b, std::size_t dim) {
+/// Between unit vectors, where nothing overflows.
+double unit_distance(const double* a, const double* b, std::size_t dim) {
   double sum = 0.0;
   for (std::size_t c = 0; c < dim; ++c) sum += (a[c] - b[c]) * (a[c] - b[c]);
   return std::sqrt(sum);
@@ -92,7 +94,7 @@ PairState CurvePair::look(std::size_t slot, const SpanPlace& place, Side side) {
   if (ruled_) {
     // Halved, the difference of two huge coordinates is finite.
     for (std::size_t c = 0; c < dim_; ++c) chord[c] = 0.5 * point_b[c] - 0.5 * point_a[c];
-    const double half = normalise(chord, dim_);
+    const double half = normalize({chord, dim_});
     if (half <= kMeet * std::max(a_.rounding(), b_.rounding())) std::fill(chord, chord + dim_, 0.0);
     state.chord = chord;
     const double unit = std::max(a_.size(), b_.size());
@@ -156,9 +158,10 @@ bool CurvePair::certainly_positive(const Interval& part) {
 }
 
 double CurvePair::turning(const PairState& from, const PairState& to) const {
-  double sum = distance(from.tangent_a, to.tangent_a, dim_) + distance(from.tangent_b, to.tangent_b, dim_);
+  double sum =
+      unit_distance(from.tangent_a, to.tangent_a, dim_) + unit_distance(from.tangent_b, to.tangent_b, dim_);
   // In R^n both tangents are compared with the chord.
-  if (ruled_) sum += 2.0 * distance(from.chord, to.chord, dim_);
+  if (ruled_) sum += 2.0 * unit_distance(from.chord, to.chord, dim_);
   return sum;
 }
 

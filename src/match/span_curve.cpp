@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "match/vector.h"
+
 namespace tandem {
 inline namespace v0 {
 namespace detail {
@@ -12,12 +14,6 @@ namespace {
 /// Movement over a piece that is nothing but rounding, in units of the last place of the largest coordinate:
 /// derivatives are differences of control points, a few roundings each.
 constexpr double kStandsStill = 64.0;
-
-double largest_coordinate(const Curve& curve) {
-  double largest = 0.0;
-  for (const double x : curve.control_points().data()) largest = std::max(largest, std::abs(x));
-  return largest;
-}
 
 /// A rational curve's derivative is a difference over the weight: small weights magnify what cancels among
 /// large ones.
@@ -68,14 +64,6 @@ void restrict_to(const Interval& part, const Interval& whole, std::vector<double
 
 }  // namespace
 
-double normalise_scaled(double* v, std::size_t dim) {
-  double largest = 0.0;
-  for (std::size_t c = 0; c < dim; ++c) largest = std::max(largest, std::abs(v[c]));
-  if (largest == 0.0) return 0.0;
-  for (std::size_t c = 0; c < dim; ++c) v[c] /= largest;
-  return largest * normalise(v, dim);
-}
-
 SpanCurve::SpanCurve(const Curve& curve, std::size_t chords)
     : evaluator_(curve),
       pieces_(decompose(premultiplied(curve))),
@@ -84,7 +72,8 @@ SpanCurve::SpanCurve(const Curve& curve, std::size_t chords)
       stride_(static_cast<std::size_t>(pieces_.stride)),
       chords_(chords),
       size_(curve.extent() > 0.0 ? curve.extent() : 1.0),
-      rounding_(std::numeric_limits<double>::epsilon() * largest_coordinate(curve) * weight_ratio(curve)),
+      rounding_(std::numeric_limits<double>::epsilon() * largest(curve.control_points().data()) *
+                weight_ratio(curve)),
       coefficients_(pieces_.piece_length()),
       differences_(degree_ * stride_),
       lower_((chords + 2) * degree_),
@@ -161,7 +150,8 @@ double SpanCurve::movement(const double* lower, const double* upper, double* tan
     const double x = sum(lower, degree_, differences_.data());
     const double y = sum(lower, degree_, differences_.data() + 1);
     const double square = x * x + y * y;
-    if (is_safe_square(square)) {
+    // Neither overflowed nor short of digits.
+    if (square > 1e-250 && square < 1e250) {
       const double length = std::sqrt(square);
       tangent[0] = x / length;
       tangent[1] = y / length;
@@ -181,7 +171,7 @@ double SpanCurve::movement(const double* lower, const double* upper, double* tan
       }
     }
   }
-  return normalise(tangent, dim_);
+  return normalize({tangent, dim_});
 }
 
 double SpanCurve::limit(double u, Side side, double* tangent) {
@@ -194,7 +184,7 @@ double SpanCurve::limit(double u, Side side, double* tangent) {
   for (std::size_t order = 2; order <= static_cast<std::size_t>(highest); ++order) {
     scale *= span_.length() / static_cast<double>(order);
     double* derivative = workspace_.data() + order * dim_;
-    if (normalise(derivative, dim_) * scale > kStandsStill * rounding_) {
+    if (normalize({derivative, dim_}) * scale > kStandsStill * rounding_) {
       for (std::size_t c = 0; c < dim_; ++c) tangent[c] = sign * derivative[c];
       return 0.0;
     }

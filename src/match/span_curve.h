@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -68,24 +67,6 @@ class SpanCurve {
   std::vector<double> edges_;
   std::vector<double> workspace_;
 };
-
-/// Has this sum of squares neither overflowed nor lost digits?
-inline bool is_safe_square(double square) {
-  return square > 1e-250 && square < 1e250;
-}
-
-/// The slow part of normalise().
-double normalise_scaled(double* v, std::size_t dim);
-
-/// Makes v a unit vector and returns its length; without overflow or underflow.
-inline double normalise(double* v, std::size_t dim) {
-  double sum = 0.0;
-  for (std::size_t c = 0; c < dim; ++c) sum += v[c] * v[c];
-  if (!is_safe_square(sum)) return normalise_scaled(v, dim);
-  const double length = std::sqrt(sum);
-  for (std::size_t c = 0; c < dim; ++c) v[c] /= length;
-  return length;
-}
 
 }  // namespace detail
 }  // namespace v0
