@@ -186,11 +186,11 @@ Path best_open(const EdgeTable& table) {
 }
 
 template <class Join>
-Path best_start(const EdgeTable& table, const Progress& progress) {
+Path best_start(const EdgeTable& table, const Progress& progress, LexCost limit) {
   const Programme programme(table);
   const StartChoice choice = search_starts(
       programme.start_count(), [&](int first, int last) { return programme.bound_starts<Join>(first, last); },
-      progress);
+      progress, limit);
   if (choice.cancelled || choice.start < 0) {
     Path none;
     none.cancelled = choice.cancelled;
@@ -226,14 +226,17 @@ EdgeTable bar_above(EdgeTable table, double threshold) {
   return table;
 }
 
-/// `find(table, join)` for sums; for Aggregate::maximum twice: the least maximum first, then the least sum
-/// among the paths that stay below it.
+/// `find(table, join, limit)` for sums; for Aggregate::maximum twice: the least maximum first, then the least
+/// sum among the paths that stay below it.
 template <class Find>
-Path aggregate_path(const EdgeTable& table, Aggregate aggregate, const Find& find) {
-  if (aggregate == Aggregate::sum) return find(table, SumCosts{});
-  const Path widest = find(table, MaxCosts{});
+Path aggregate_path(const EdgeTable& table, Aggregate aggregate, const Path* beat, const Find& find) {
+  const LexCost limit = beat == nullptr || beat->nodes.empty()
+                            ? LexCost::infinite()
+                            : LexCost{static_cast<double>(beat->invalid), beat->cost};
+  if (aggregate == Aggregate::sum) return find(table, SumCosts{}, limit);
+  const Path widest = find(table, MaxCosts{}, limit);
   if (widest.cancelled || widest.nodes.empty()) return widest;
-  Path path = find(bar_above(table, widest.cost), SumCosts{});
+  Path path = find(bar_above(table, widest.cost), SumCosts{}, LexCost::infinite());
   path.cost = widest.cost;
   return path;
 }
@@ -253,21 +256,21 @@ std::vector<Step> coprime_steps(int longest) {
 
 Path open_path(const EdgeTable& table, Aggregate aggregate) {
   check_table(table, false, false);
-  return aggregate_path(table, aggregate,
-                        [](const EdgeTable& t, auto join) { return best_open<decltype(join)>(t); });
+  return aggregate_path(table, aggregate, nullptr,
+                        [](const EdgeTable& t, auto join, LexCost) { return best_open<decltype(join)>(t); });
 }
 
-Path closed_path(const EdgeTable& table, Aggregate aggregate, const Progress& progress) {
+Path closed_path(const EdgeTable& table, Aggregate aggregate, const Progress& progress, const Path* beat) {
   check_table(table, true, true);
-  return aggregate_path(table, aggregate, [&](const EdgeTable& t, auto join) {
-    return best_start<decltype(join)>(t, progress);
+  return aggregate_path(table, aggregate, beat, [&](const EdgeTable& t, auto join, LexCost limit) {
+    return best_start<decltype(join)>(t, progress, limit);
   });
 }
 
-Path cut_path(const EdgeTable& table, Aggregate aggregate, const Progress& progress) {
+Path cut_path(const EdgeTable& table, Aggregate aggregate, const Progress& progress, const Path* beat) {
   check_table(table, true, false);
-  return aggregate_path(table, aggregate, [&](const EdgeTable& t, auto join) {
-    return best_start<decltype(join)>(t, progress);
+  return aggregate_path(table, aggregate, beat, [&](const EdgeTable& t, auto join, LexCost limit) {
+    return best_start<decltype(join)>(t, progress, limit);
   });
 }
 

@@ -1,9 +1,9 @@
 #include "match/search.h"
 
 #include <algorithm>
-#include <atomic>
 #include <limits>
 #include <mutex>
+#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -75,19 +75,19 @@ NodeMask reversed(const NodeMask& mask, const Samples& b) {
 }
 
 Path elastic_path(const Samples& a, const Samples& b, const MatchOptions& options, Layout layout,
-                  RuledSign sign, const NodeMask& mask, const Progress& progress) {
+                  RuledSign sign, const NodeMask& mask, const Progress& progress, const Path* beat) {
   if (layout == Layout::cut_b || layout == Layout::pinned) {
     return swapped(elastic_path(b, a, options, Layout::cut_a,
                                 sign == RuledSign::positive   ? RuledSign::negative
                                 : sign == RuledSign::negative ? RuledSign::positive
                                                               : sign,
-                                transposed(mask), progress));
+                                transposed(mask), progress, beat));
   }
   const Aggregate aggregate = aggregate_of(options.norm);
   const NodeTable chords = chord_costs(a, b, options.norm, options.features, sign);
   const EdgeTable edges = edge_costs(a, b, chords, options.elastic, aggregate, mask);
-  if (layout == Layout::toroidal) return closed_path(edges, aggregate, progress);
-  if (layout == Layout::cut_a) return cut_path(edges, aggregate, progress);
+  if (layout == Layout::toroidal) return closed_path(edges, aggregate, progress, beat);
+  if (layout == Layout::cut_a) return cut_path(edges, aggregate, progress, beat);
   return open_path(edges, aggregate);
 }
 
@@ -103,7 +103,7 @@ NodeTable transposed(const NodeTable& table) {
 }
 
 Path paper_path(const Samples& a, const Samples& b, const MatchOptions& options, Layout layout,
-                RuledSign sign, const NodeMask& mask, const Progress& progress) {
+                RuledSign sign, const NodeMask& mask, const Progress& progress, const Path* /*beat*/) {
   const Aggregate aggregate = aggregate_of(options.norm);
   NodeTable nodes = node_costs(a, b, options.norm, options.features, sign);
   for (std::size_t k = 0; k < mask.allowed.size(); ++k) {
@@ -176,41 +176,107 @@ bool clearly_better(const Path& x, const Path& y) {
   return x.cost < y.cost - kTie * y.cost;
 }
 
+/// Twice the area that the polygon of chords encloses, in units of the squared length; 0 outside the plane.
+double signed_area(const Samples& s) {
+  if (s.dim() != 2) return 0.0;
+  double area = 0.0;
+  double x = 0.0;
+  double y = 0.0;
+  for (std::size_t k = 0; k < s.chords(); ++k) {
+    const double dx = s.chord_tangents[k][0] * s.chord_lengths[k];
+    const double dy = s.chord_tangents[k][1] * s.chord_lengths[k];
+    area += x * dy - y * dx;
+    x += dx;
+    y += dy;
+  }
+  return area;
+}
+
+/// Runs every candidate. Where starts are searched, the likelier direction goes first, and the others only
+/// have to find out that they cannot beat it, which mostly takes a single bound.
+class CandidateRuns {
+ public:
+  CandidateRuns(const Samples& a, const Samples& b, const MatchOptions& options, Layout layout,
+                const NodeMask& mask)
+      : a_(a),
+        b_(b),
+        options_(options),
+        layout_(layout),
+        mask_(mask),
+        candidates_(list_candidates(a, options)),
+        paths_(candidates_.size()),
+        progress_(options.progress, static_cast<int>(candidates_.size())) {
+    for (const Candidate& c : candidates_) {
+      if (c.reversed && !backward_) backward_ = reversed(b);
+    }
+  }
+
+  void run() {
+    std::vector<std::size_t> rest(candidates_.size());
+    std::iota(rest.begin(), rest.end(), std::size_t{0});
+    const Path* beat = nullptr;
+    if (layout_ != Layout::open) {
+      const bool opposed = signed_area(a_) * signed_area(b_) < 0.0;
+      const auto likely = std::find_if(rest.begin(), rest.end(),
+                                       [&](std::size_t k) { return candidates_[k].reversed == opposed; });
+      const std::size_t first = likely == rest.end() ? 0 : *likely;
+      run_one(first, nullptr);
+      rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(first));
+      beat = &paths_[first];
+      if (beat->cancelled) return;
+    }
+    const int threads = a_.size() * b_.size() < kWorthThreads ? 1 : options_.threads;
+    parallel_for(static_cast<int>(rest.size()), threads,
+                 [&](int k) { run_one(rest[static_cast<std::size_t>(k)], beat); });
+  }
+
+  /// The best candidate: the earlier one in the list on a tie. Cancelled if one of them was.
+  [[nodiscard]] SearchResult best() && {
+    std::size_t best = 0;
+    SearchResult result;
+    for (std::size_t k = 0; k < paths_.size(); ++k) {
+      if (paths_[k].cancelled) {
+        result.path.cancelled = true;
+        result.samples_b = b_;
+        return result;
+      }
+      if (k > 0 && clearly_better(paths_[k], paths_[best])) best = k;
+    }
+    result.path = std::move(paths_[best]);
+    result.reversed = candidates_[best].reversed;
+    result.samples_b = result.reversed ? *std::move(backward_) : b_;
+    return result;
+  }
+
+ private:
+  void run_one(std::size_t k, const Path* beat) {
+    const Candidate& c = candidates_[k];
+    const Progress own = progress_.for_candidate();
+    const auto programme = options_.method == Method::paper ? paper_path : elastic_path;
+    paths_[k] = programme(a_, c.reversed ? *backward_ : b_, options_, layout_, c.sign,
+                          c.reversed ? reversed(mask_, b_) : mask_, own, beat);
+    // An open programme is too short to ask on its way; the answer counts all the same.
+    if (own && !own(1.0)) paths_[k].cancelled = true;
+  }
+
+  const Samples& a_;
+  const Samples& b_;
+  const MatchOptions& options_;
+  Layout layout_;
+  const NodeMask& mask_;
+  std::vector<Candidate> candidates_;
+  std::optional<Samples> backward_;
+  std::vector<Path> paths_;
+  SharedProgress progress_;
+};
+
 }  // namespace
 
 SearchResult search(const Samples& a, const Samples& b, const MatchOptions& options, Layout layout,
                     const NodeMask& mask) {
-  const std::vector<Candidate> candidates = list_candidates(a, options);
-  std::optional<Samples> backward;
-  for (const Candidate& c : candidates) {
-    if (c.reversed && !backward) backward = reversed(b);
-  }
-  const auto run = options.method == Method::paper ? paper_path : elastic_path;
-  SharedProgress progress(options.progress, static_cast<int>(candidates.size()));
-  std::vector<Path> paths(candidates.size());
-  const int threads = a.size() * b.size() < kWorthThreads ? 1 : options.threads;
-  parallel_for(static_cast<int>(candidates.size()), threads, [&](int k) {
-    const Candidate& c = candidates[static_cast<std::size_t>(k)];
-    const Progress own = progress.for_candidate();
-    paths[static_cast<std::size_t>(k)] = run(a, c.reversed ? *backward : b, options, layout, c.sign,
-                                             c.reversed ? reversed(mask, b) : mask, own);
-    // An open programme is too short to ask on its way; the answer counts all the same.
-    if (own && !own(1.0)) paths[static_cast<std::size_t>(k)].cancelled = true;
-  });
-
-  std::size_t best = 0;
-  SearchResult result;
-  for (std::size_t k = 0; k < paths.size(); ++k) {
-    if (paths[k].cancelled) {
-      result.path.cancelled = true;
-      result.samples_b = b;
-      return result;
-    }
-    if (k > 0 && clearly_better(paths[k], paths[best])) best = k;
-  }
-  result.path = std::move(paths[best]);
-  result.reversed = candidates[best].reversed;
-  result.samples_b = result.reversed ? *std::move(backward) : b;
+  CandidateRuns runs(a, b, options, layout, mask);
+  runs.run();
+  SearchResult result = std::move(runs).best();
   if (result.path.nodes.empty()) return result;
   const int m1 = static_cast<int>(a.size());
   const int m2 = static_cast<int>(b.size());

@@ -90,13 +90,15 @@ struct EdgeTable {
 
 /// Optimal closed path of a table that is cyclic in both directions, over all starts (k,l), 0 <= k < rows,
 /// 0 <= l < longest step (a path may jump over column 0; spec C10). Exact: branch and bound over the starts.
+/// beat: a path of another table to be beaten; none comes back once it is certain that all are worse (a tie
+/// within 1e-9 is still found).
 [[nodiscard]] TANDEM_EXPORT Path closed_path(const EdgeTable& table, Aggregate aggregate = Aggregate::sum,
-                                             const Progress& progress = {});
+                                             const Progress& progress = {}, const Path* beat = nullptr);
 
 /// The rows' loop cut where it fits the open columns best: the optimal path (k,0) -> (k + rows, cols-1) over
 /// all k, of a table that is cyclic in its rows only. Exact, likewise.
 [[nodiscard]] TANDEM_EXPORT Path cut_path(const EdgeTable& table, Aggregate aggregate = Aggregate::sum,
-                                          const Progress& progress = {});
+                                          const Progress& progress = {}, const Path* beat = nullptr);
 
 }  // namespace v0
 }  // namespace tandem
