@@ -29,10 +29,14 @@ Vertices make_vertices(const FitPath& path, const Frame& frame) {
     if (i > 0)
       v = end == points.size() ? points.back().v : (end == i + 1 ? v : 0.5 * v + 0.5 * points[end - 1].v);
     const double x = frame.x(points[i].u);
-    // Parameters may differ by less than their shares of the domain can (near 0): one vertex then.
+    // Parameters may differ by less than their shares of the domain can: one vertex then.
     if (!vertices.x.empty() && x <= vertices.x.back()) {
       vertices.high.back() = frame.y(points[end - 1].v);
-      if (end == points.size()) vertices.own.back() = points.back();
+      if (end == points.size()) {
+        vertices.y.back() = vertices.high.back();
+        vertices.own.back() = points.back();
+        if (vertices.fixed.back() + 1 != vertices.size()) vertices.fixed.push_back(vertices.size() - 1);
+      }
       i = end;
       continue;
     }

@@ -346,6 +346,24 @@ TEST(Fit, SaysWhatIsWrong) {
   }
 }
 
+TEST(Fit, DrawsParametersTogetherThatTheDomainCannotTellApart) {
+  // 0 and the end differ, but not as shares of [-1, 2^-60]; likewise the start and the point after it in the
+  // second.
+  const double tiny = std::ldexp(1.0, -60);
+  const FitPath late{{{-1, 0}, {-0.5, 0.2}, {0, 0.5}, {tiny, 1}}, {}};
+  const FitPath corner{late.points, {0}};
+  const FitPath early{{{-tiny, 0}, {0, 0.5}, {0.5, 0.7}, {1, 1}}, {0}};
+  for (const FitPath& path : {late, corner, early}) {
+    for (const ReductionOptions& options : {by_tolerance(1e-3), by_tolerance(1e-3, 3), by_coefficients(10)}) {
+      const Curve v = fit(path, options).v;
+      EXPECT_EQ(v.domain(), (Interval{path.points.front().u, path.points.back().u}));
+      EXPECT_EQ(v.control_points().front()[0], 0.0);
+      EXPECT_EQ(v.control_points().back()[0], 1.0);
+      expect_increasing(v);
+    }
+  }
+}
+
 TEST(Fit, KeepsIncrementsThatRoundingWouldClose) {
   // Flat, then steep, far from 0: the least slope alone would ask for increments of 1.5e-11 where doubles
   // are 1.2e-10 apart.
