@@ -481,11 +481,14 @@ TEST(Validity, IsSymmetric) {
     for (const NormKind norm : {NormKind::tangent, NormKind::ruled}) {
       const Validity one = check_validity(a, b, norm);
       const Validity other = check_validity(b, a, norm);
-      RC_ASSERT(std::abs(one.min_dot - other.min_dot) <= 1e-12);
+      // Where the curves nearly meet, the direction of the short chord carries the rounding of the
+      // coordinates.
+      const double rounding = norm == NormKind::ruled ? 1e-9 : 1e-12;
+      RC_ASSERT(std::abs(one.min_dot - other.min_dot) <= rounding);
       // A right angle is on either side of zero by rounding.
-      RC_ASSERT(one.valid == other.valid || std::abs(one.min_dot) < 1e-12);
-      RC_ASSERT(std::abs(one.valid_share - other.valid_share) <= 1e-12);
-      RC_ASSERT(std::abs(one.mean_dot - other.mean_dot) <= 1e-12);
+      RC_ASSERT(one.valid == other.valid || std::abs(one.min_dot) < rounding);
+      RC_ASSERT(std::abs(one.valid_share - other.valid_share) <= rounding);
+      RC_ASSERT(std::abs(one.mean_dot - other.mean_dot) <= rounding);
     }
   }));
 }
