@@ -16,6 +16,7 @@
 #include "output.h"
 #include "progress_bar.h"
 #include "report.h"
+#include "tandem/error.h"
 #include "tandem/io/svg.h"
 #include "tandem/morph/morph.h"
 #include "tandem/morph/path_morph.h"
@@ -87,7 +88,9 @@ std::string short_name(const std::string& input) {
     return "path";
   const std::string name = input.substr(input.find_last_of('/') + 1);
   const std::size_t dot = name.find('.');
-  return dot == std::string::npos || dot == 0 ? name : name.substr(0, dot);
+  const std::string stem = dot == std::string::npos || dot == 0 ? name : name.substr(0, dot);
+  const std::size_t part = name.find('#');
+  return part == std::string::npos || part < dot ? stem : stem + " " + name.substr(part + 1);
 }
 
 std::string title(const std::vector<std::string>& inputs) {
@@ -130,6 +133,11 @@ Status run(const Command& command) {
   Plan plan = make_plan(command);
   const Messages messages(command.common.quiet);
   const std::vector<Shape> keys = load_inputs(command, 2, std::string::npos);
+  const int dim = keys.front().dim();
+  if (dim != 2 && plan.format != Format::json) {
+    throw tandem::InvalidArgument(fmt::format(
+        "the shapes have dimension {}; only planar ones can be drawn, others go to .json or -", dim));
+  }
   plan.morph.match.progress = show_progress(messages.quiet());
   const Morph morph = [&] {
     const InterruptibleScope interruptible;

@@ -49,7 +49,8 @@ struct Totals {
 
 Totals add_up(const ShapeReport& report) {
   Totals totals;
-  if (report.pairs.empty()) return {.min_dot = 1.0, .valid_share = 1.0, .seconds = {}};  // nothing that could be invalid
+  if (report.pairs.empty())
+    return {.min_dot = 1.0, .valid_share = 1.0, .seconds = {}};  // nothing that could be invalid
   double weights = 0.0;
   for (const ContourMatch& pair : report.pairs)
     weights += pair.match->samples_a.length + pair.match->samples_b.length;
@@ -90,7 +91,9 @@ bool is_one_pair(const ShapeReport& report) {
 }
 
 std::string percent(double share) {
-  return fmt::format("{:.4g} %", 100.0 * share);
+  const std::string text = fmt::format("{:.4g}", 100.0 * share);
+  // Nearly all is not all.
+  return share < 1.0 && text == "100" ? "over 99.99 %" : text + " %";
 }
 
 std::string format_contour_table(const Match& match) {
@@ -209,18 +212,32 @@ std::string format_table(const ShapeReport& report) {
   return text;
 }
 
+/// "contour 4 of A", "contours 4, 5 and 6 of B".
+std::string list_contours(const std::vector<std::size_t>& contours, std::string_view of) {
+  std::string text = contours.size() == 1 ? "contour " : "contours ";
+  for (std::size_t k = 0; k < contours.size(); ++k) {
+    if (k > 0) text += k + 1 == contours.size() ? " and " : ", ";
+    text += fmt::format("{}", contours[k]);
+  }
+  return fmt::format("{} of {}", text, of);
+}
+
 void warn(const Messages& messages, const ShapeReport& report) {
   if (!report.valid()) {
     const Totals totals = add_up(report);
-    messages.warning(
-        fmt::format("no valid match found; this one is valid on {} of the length, smallest <T1,T2> {:.4g}",
-                    percent(totals.valid_share), totals.min_dot));
+    messages.warning(fmt::format(
+        "the match is not valid, only the least invalid one: valid on {} of the length, smallest <T1,T2> "
+        "{:.4g}; in-betweens may fold where it is not",
+        percent(totals.valid_share), totals.min_dot));
   }
-  if (!report.unmatched_a.empty() || !report.unmatched_b.empty()) {
-    const std::size_t paired = report.pairs.size();
-    messages.warning(fmt::format("{} contours against {}: those that are left over have no partner",
-                                 paired + report.unmatched_a.size(), paired + report.unmatched_b.size()));
-  }
+  const auto lonely = [&](const std::vector<std::size_t>& contours, std::string_view of,
+                          std::string_view what) {
+    if (contours.empty()) return;
+    messages.warning(fmt::format("{} {} no partner: {} a point in a morph", list_contours(contours, of),
+                                 contours.size() == 1 ? "has" : "have", what));
+  };
+  lonely(report.unmatched_a, "A", "shrinking to");
+  lonely(report.unmatched_b, "B", "growing from");
 }
 
 }  // namespace cli

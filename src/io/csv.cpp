@@ -83,8 +83,9 @@ std::optional<double> number_of(std::string_view field, char separator) {
   return parse_number(with_point);
 }
 
+/// "t" or "time", with or without a unit behind it: "Time [s]", "t (ms)", "time_s".
 bool is_time(std::string_view name) {
-  std::string lower(name);
+  std::string lower(name.substr(0, name.find_first_of(" _([/")));
   std::transform(lower.begin(), lower.end(), lower.begin(),
                  [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
   return lower == "t" || lower == "time";

@@ -38,7 +38,7 @@ h1 { margin: 0; font-size: 1.05rem; font-weight: 600; letter-spacing: .005em; ov
 }
 .stage svg { position: absolute; inset: 0; width: 100%; height: 100%; }
 .fill { fill: var(--ink); }
-.stroke { fill: none; stroke: var(--ink); stroke-linecap: round; stroke-linejoin: round; }
+.stroke { fill: none; stroke: var(--ink); stroke-linecap: butt; stroke-linejoin: round; }
 #skins path { fill: none; vector-effect: non-scaling-stroke; stroke-width: 1.25px; }
 .onion .fill { fill-opacity: .14; }
 .bar { display: flex; align-items: center; gap: .8rem; }

@@ -60,8 +60,9 @@ std::string fill_attributes(FillRule fill_rule) {
 
 std::string stroke_attributes(const View& view) {
   const double width = kStrokeWidth * view.size();
+  // Butt caps: a contour that has shrunk to a point draws nothing.
   return fmt::format(
-      "fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" stroke-linecap=\"round\" stroke-linejoin=\"round\"",
+      "fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" stroke-linecap=\"butt\" stroke-linejoin=\"round\"",
       kInk, format_number(width, decimals_for(view.size())));
 }
 

@@ -54,7 +54,7 @@ out_has '"direction": ?"reversed"'
 two='M0 0H8V8H0ZM2 2V6H6V2Z'
 three='M0 0H8V8H0ZM1 1V3H3V1ZM5 5V7H7V5Z'
 expect 0 match "${quick[@]}" "$two" "$three" --json
-err_has 'warning: 2 contours against 3'
+err_has 'contour 2 of B has no partner'
 out_has '"contours": \[\{"a": 0, "b": 0, "tandem"'
 out_has '"a": 1, "b": 1'
 out_has '"unmatched": \{"a": \[\], "b": \[2\]\}'
@@ -166,7 +166,7 @@ out_has '"dimension": 2.*"domain": \[0, 3\]'
 
 # The warning, --quiet and --strict. Opposite straight lines: there is no valid match.
 expect 0 match "${quick[@]}" 'M0 0L1 0' 'M1 1L0 1' --direction forward --json
-err_has 'warning: no valid match found'
+err_has 'warning: the match is not valid'
 out_has '"valid": ?false'
 expect 0 match "${quick[@]}" 'M0 0L1 0' 'M1 1L0 1' --direction forward --json --quiet
 err_empty

@@ -40,7 +40,7 @@ TEST(Csv, ReadsEverySeparator) {
 }
 
 TEST(Csv, TakesTheFirstColumnForTimeWhenItIsCalledSo) {
-  for (const char* header : {"t,x", "time,x", "Time,x", "\"T\",x", " t , x "}) {
+  for (const char* header : {"t,x", "time,x", "Time,x", "\"T\",x", " t , x ", "Time [s],x", "time_s,x"}) {
     const Curve curve = parse_csv(std::string(header) + "\n-1,5\n0,6\n2,7\n2.5,9\n");
     EXPECT_EQ(curve.dim(), 1) << header;
     EXPECT_EQ(curve.domain(), (tandem::Interval{-1, 2.5})) << header;
