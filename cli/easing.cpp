@@ -28,10 +28,11 @@ std::string parse_easing(const std::string& text) {
         "--easing takes one of linear, ease, ease-in, ease-out, ease-in-out, or x1,y1,x2,y2, not '{}'",
         text));
   }
-  // The x of a timing function must stay within the time there is (CSS Easing Functions, 2.2).
+  // SMIL's keySplines take no others (SVG Animations 2, 2.16), and the player speaks the same.
   return fmt::format("{} {} {} {}", parse_number("--easing x1", parts[0], 0.0, 1.0),
-                     parse_number("--easing", parts[1]), parse_number("--easing x2", parts[2], 0.0, 1.0),
-                     parse_number("--easing", parts[3]));
+                     parse_number("--easing y1", parts[1], 0.0, 1.0),
+                     parse_number("--easing x2", parts[2], 0.0, 1.0),
+                     parse_number("--easing y2", parts[3], 0.0, 1.0));
 }
 
 }  // namespace cli

@@ -12,6 +12,9 @@ inline namespace v0 {
 
 namespace {
 
+/// Filling the table takes about as long as running the programme on it.
+constexpr double kShareOfTables = 0.5;
+
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// The chords of one curve as the quadrature needs them: running lengths that go on past the end of a loop.
@@ -133,8 +136,10 @@ class EdgeCosts {
     invalid_.resize(table_.cols);
   }
 
-  EdgeTable run() {
+  EdgeTable run(const Progress& progress) {
     for (std::size_t i = 0; i < table_.rows; ++i) {
+      if (progress && !progress(kShareOfTables * static_cast<double>(i) / static_cast<double>(table_.rows)))
+        break;
       for (std::size_t s = 0; s < table_.steps.size(); ++s) fill_row(static_cast<int>(i), s);
     }
     if (!mask_.allowed.empty()) bar_masked();
@@ -274,14 +279,15 @@ class EdgeCosts {
 }  // namespace
 
 EdgeTable edge_costs(const Samples& a, const Samples& b, const NodeTable& chord_costs,
-                     const ElasticOptions& options, Aggregate aggregate, const NodeMask& mask) {
+                     const ElasticOptions& options, Aggregate aggregate, const NodeMask& mask,
+                     const Progress& progress) {
   if (chord_costs.rows != a.chords() || chord_costs.cols != b.chords()) {
     throw InvalidArgument("the chord costs do not belong to these samples");
   }
   if (options.longest_step < 1 || !(options.lambda >= 0.0)) {
     throw InvalidArgument("the longest step must be at least 1 and lambda at least 0");
   }
-  return EdgeCosts(a, b, chord_costs, options, aggregate, mask).run();
+  return EdgeCosts(a, b, chord_costs, options, aggregate, mask).run(progress);
 }
 
 }  // namespace v0

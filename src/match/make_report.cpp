@@ -45,16 +45,23 @@ int shift_of(const Node& first, int m1, int m2) {
 }
 
 /// Which nodes of a path the paper's test calls invalid.
-void count_invalid(MatchReport& report, const Samples& a, const Samples& b, const Path& path,
+void count_invalid(MatchReport& report, const Samples& a, const Samples& b, const Path& path, bool closed,
                    const MatchOptions& options) {
   if (options.method == Method::elastic) {
     report.invalid_length = static_cast<double>(path.invalid) * kInvalidQuantum;
     const NodeTable chords = chord_costs(a, b, options.norm, options.features, RuledSign::product);
-    // A node is invalid with the chords behind it.
-    for (std::size_t n = 0; n + 1 < path.nodes.size(); ++n) {
-      const std::size_t i = static_cast<std::size_t>(path.nodes[n].i) % a.chords();
-      const std::size_t j = static_cast<std::size_t>(path.nodes[n].j) % b.chords();
-      report.invalid_nodes += chords.invalid[chords.index(i, j)];
+    // A node is invalid when the chords on one side of it are: the same from both ends.
+    const auto invalid = [&](int i, int j) {
+      const int rows = static_cast<int>(a.chords());
+      const int cols = static_cast<int>(b.chords());
+      if (a.cyclic) i = (i + rows) % rows;
+      if (b.cyclic) j = (j + cols) % cols;
+      if (i < 0 || i >= rows || j < 0 || j >= cols) return false;
+      return chords.invalid[chords.index(static_cast<std::size_t>(i), static_cast<std::size_t>(j))] != 0;
+    };
+    for (std::size_t n = closed ? 1 : 0; n < path.nodes.size(); ++n) {
+      const Node& node = path.nodes[n];
+      if (invalid(node.i, node.j) || invalid(node.i - 1, node.j - 1)) ++report.invalid_nodes;
     }
     return;
   }
@@ -88,7 +95,7 @@ MatchReport make_report(const Samples& a, const SearchResult& found, const Match
   report.rotation = identity_rotation(a.dim());
   report.exact = !options.coarse_to_fine;
   report.path = found.path.nodes;
-  count_invalid(report, a, b, found.path, options);
+  count_invalid(report, a, b, found.path, closed, options);
   report.cost = found.path.cost;
   report.mean_cost = report.cost;
   if (options.method == Method::paper) {

@@ -88,6 +88,15 @@ SampleOptions sample_options(const MatchOptions& options, int requested, bool cy
   return s;
 }
 
+/// Errors say which of the two curves they are about.
+Samples sample_named(const char* which, const Curve& curve, const SampleOptions& options) {
+  try {
+    return sample(curve, options);
+  } catch (const InvalidArgument& e) {
+    throw InvalidArgument(std::string("the ") + which + " curve cannot be sampled: " + e.what());
+  }
+}
+
 /// Samples of both curves. Counts that the caller left open are raised until the elastic steps can bridge
 /// them.
 SamplePair sample_pair(const Curve& a, const Curve& b, const MatchOptions& options, Layout layout,
@@ -99,7 +108,7 @@ SamplePair sample_pair(const Curve& a, const Curve& b, const MatchOptions& optio
   const bool cyclic_b = layout == Layout::toroidal || layout == Layout::cut_b || layout == Layout::pinned;
   SampleOptions options_a = sample_options(options, options.samples[0], cyclic_a, divisor);
   SampleOptions options_b = sample_options(options, options.samples[1], cyclic_b, divisor);
-  SamplePair pair{sample(a, options_a), sample(b, options_b)};
+  SamplePair pair{sample_named("first", a, options_a), sample_named("second", b, options_b)};
   if (options.method == Method::paper) return pair;
   const auto too_few = [](const Samples& few, const Samples& many) {
     return few.chords() * kLargestRatio < many.chords();
@@ -141,9 +150,25 @@ ReductionOptions reduction_of(const MatchOptions& options) {
 /// The second curve as v(u) refers to it: cut, turned round, and with its seam where v begins.
 Curve prepare_second(const Curve& b, const Correspondence& c, const Reparametrization& r, Layout layout) {
   Curve curve = layout == Layout::cut_b ? move_seam(b, c.domain_v.lo) : b;
-  if (r.reversed) curve = reverse(curve);
+  if (r.reversed) {
+    // t -> lo + hi - t in the curve's own domain, wherever it was cut.
+    const double sum = b.domain().lo + b.domain().hi;
+    const Interval cut = curve.domain();
+    curve = with_domain(reverse(curve), {sum - cut.hi, sum - cut.lo});
+  }
   if (detail::is_closed_layout(layout)) curve = move_seam(curve, r.v.control_points().front()[0]);
   return curve;
+}
+
+/// The fit turns v round in the correspondence's domain; v is to refer to the reversed second curve in its
+/// own, which differs when a loop was cut.
+Reparametrization in_own_domain(Reparametrization r, const Interval& cut, const Interval& own) {
+  const double offset = (own.lo + own.hi) - (cut.lo + cut.hi);
+  if (!r.reversed || offset == 0.0) return r;
+  Points points = r.v.control_points();
+  for (double& v : points.data()) v += offset;
+  r.v = Curve(r.v.degree(), r.v.knots(), std::move(points));
+  return r;
 }
 
 NormKind validity_norm(const Norm& norm) {
@@ -193,15 +218,17 @@ Match match(const Curve& a, const Curve& b, const MatchOptions& given) {
   if (found.path.nodes.empty()) {
     throw InvalidArgument("no path: steps of up to " + std::to_string(options.elastic.longest_step) +
                           " samples cannot match " + std::to_string(samples.a.size()) + " samples with " +
-                          std::to_string(samples.b.size()));
+                          std::to_string(samples.b.size()) +
+                          "; ask for more equal numbers of samples, or for none");
   }
   PathParameters path = parameters_of(samples, found, options, layout);
   MatchReport report = detail::make_report(samples.a, found, options, layout);
   report.seconds.sample = sample_seconds;
   report.seconds.match = watch.lap();
 
-  Reparametrization r =
-      fit(fit_path(path.correspondence, path.corners), reduction_of(options), path.correspondence.reversed);
+  Reparametrization r = in_own_domain(
+      fit(fit_path(path.correspondence, path.corners), reduction_of(options), path.correspondence.reversed),
+      path.correspondence.domain_v, b.domain());
   report.seconds.fit = watch.lap();
   Curve curve = compose(prepare_second(b, path.correspondence, r, layout), r.v);
   report.seconds.compose = watch.lap();

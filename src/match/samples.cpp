@@ -161,8 +161,8 @@ Samples sample(const Curve& original, const SampleOptions& options) {
   }
   if (options.cyclic && !original.is_closed())
     throw InvalidArgument("an open curve cannot be sampled as a loop");
-  if (!(options.low_pass >= 0.0 && options.low_pass < 0.5)) {
-    throw InvalidArgument("the low-pass width must lie in [0, 0.5) of the length");
+  if (!(options.low_pass >= 0.0 && options.low_pass <= 0.5)) {
+    throw InvalidArgument("the low-pass width must lie in [0, 0.5] of the length");
   }
   const double extent = original.extent();
   if (!(extent > 0.0)) throw InvalidArgument("the curve is a single point: it has no direction to match");

@@ -85,7 +85,7 @@ Path elastic_path(const Samples& a, const Samples& b, const MatchOptions& option
   }
   const Aggregate aggregate = aggregate_of(options.norm);
   const NodeTable chords = chord_costs(a, b, options.norm, options.features, sign);
-  const EdgeTable edges = edge_costs(a, b, chords, options.elastic, aggregate, mask);
+  const EdgeTable edges = edge_costs(a, b, chords, options.elastic, aggregate, mask, progress);
   if (layout == Layout::toroidal) return closed_path(edges, aggregate, progress, beat);
   if (layout == Layout::cut_a) return cut_path(edges, aggregate, progress, beat);
   return open_path(edges, aggregate);

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <utility>
 
 #include "shape/cubic_fit.h"
@@ -47,7 +49,9 @@ std::vector<Points> without_points(std::vector<Points> keys) {
   return keys;
 }
 
-PathContour to_contour(std::span<const Curve> curves, double tolerance, double line_tolerance) {
+/// line_tolerances: one per key.
+PathContour to_contour(std::span<const Curve> curves, double tolerance,
+                       std::span<const double> line_tolerances) {
   std::vector<Points> keys = without_points(cubic_control_points(curves, tolerance));
   // A contour collapsed to a point is no reason to leave the others open, nor to close them.
   const bool closed = std::all_of(curves.begin(), curves.end(),
@@ -62,9 +66,11 @@ PathContour to_contour(std::span<const Curve> curves, double tolerance, double l
     contour.keys.emplace_back(std::move(points), closed);
   }
   for (std::size_t k = 0; k < contour.keys.front().segment_count(); ++k) {
-    contour.lines.push_back(std::all_of(contour.keys.begin(), contour.keys.end(), [&](const CubicPath& path) {
-      return path.is_line(k, line_tolerance);
-    }));
+    bool line = true;
+    for (std::size_t key = 0; key < contour.keys.size(); ++key) {
+      line = line && contour.keys[key].is_line(k, line_tolerances[key]);
+    }
+    contour.lines.push_back(line);
   }
   return contour;
 }
@@ -73,18 +79,35 @@ PathContour to_contour(std::span<const Curve> curves, double tolerance, double l
 
 PathMorph::PathMorph(const Morph& morph, double tolerance)
     : key_count_(morph.key_count()), fill_rule_(morph.fill_rule()) {
+  std::vector<Box> boxes(key_count_);
   for (std::size_t c = 0; c < morph.contour_count(); ++c) {
-    for (const Curve& curve : morph.keys(c)) {
+    for (std::size_t key = 0; key < key_count_; ++key) {
+      const Curve& curve = morph.keys(c)[key];
       if (curve.dim() != 2) {
         throw InvalidArgument(
             fmt::format("path morph: the shapes have dimension {}, expected 2", curve.dim()));
       }
-      box_.include(bounding_box(curve));
+      boxes[key].include(bounding_box(curve));
     }
   }
-  const double diagonal = box_.diagonal();
+  // Every key is redrawn to its own size: the keys may differ by orders of magnitude, or lie far apart.
+  double smallest = std::numeric_limits<double>::infinity();
+  std::vector<double> line_tolerances;
+  for (const Box& box : boxes) {
+    box_.include(box);
+    const double diagonal = box.diagonal();
+    line_tolerances.push_back(kLineTolerance * diagonal);
+    if (diagonal > 0.0) smallest = std::min(smallest, diagonal);
+  }
+  // Nothing is finer than the rounding of the coordinates themselves.
+  double rounding = 0.0;
+  for (const Point& corner : {box_.lo, box_.hi}) {
+    for (double x : corner)
+      rounding = std::max(rounding, 8.0 * std::numeric_limits<double>::epsilon() * std::abs(x));
+  }
+  const double absolute = std::max(tolerance * std::min(smallest, box_.diagonal()), rounding);
   for (std::size_t c = 0; c < morph.contour_count(); ++c) {
-    contours_.push_back(to_contour(morph.keys(c), tolerance * diagonal, kLineTolerance * diagonal));
+    contours_.push_back(to_contour(morph.keys(c), absolute, line_tolerances));
   }
 }
 

@@ -246,6 +246,23 @@ TEST(Match, OpenAgainstClosedCutsTheLoop) {
   }
 }
 
+TEST(Match, ReversedLoopsThatAreCutKeepTheirOwnDomain) {
+  std::mt19937 random(19);
+  const Curve open = open_curve(random);
+  const Curve loop = closed_curve(random);
+  const Match m = match(open, loop, {.samples = {50, 60}, .direction = Direction::reversed});
+  // v refers to the reversed loop, t -> lo + hi - t, running on past its end.
+  const Interval d = loop.domain();
+  for (int k = 0; k <= 50; ++k) {
+    const double u = open.domain().lo + open.domain().length() * k / 50.0;
+    double t = d.lo + d.hi - m.reparametrization.v.evaluate(u)[0];
+    EXPECT_NEAR(std::remainder(t - m.correspondence.v_at(u), d.length()), 0.0, 5e-3);
+    t -= d.length() * std::floor((t - d.lo) / d.length());
+    EXPECT_NEAR(loop.evaluate(t)[0], m.curve.evaluate(u)[0], 1e-9);
+    EXPECT_NEAR(loop.evaluate(t)[1], m.curve.evaluate(u)[1], 1e-9);
+  }
+}
+
 TEST(Match, PinnedKeepsTheFirstSeam) {
   std::mt19937 random(11);
   const Curve a = closed_curve(random);
@@ -402,7 +419,8 @@ TEST(Match, SaysWhatIsWrong) {
     return "";
   };
   EXPECT_NE(message([&] { (void)match(plane, space); }).find("different dimensions"), std::string::npos);
-  EXPECT_NE(message([&] { (void)match(plane, point); }).find("point"), std::string::npos);
+  EXPECT_NE(message([&] { (void)match(plane, point); }).find("the second curve cannot be sampled"),
+            std::string::npos);
   EXPECT_NE(message([&] { (void)match(plane, plane, {.closed = ClosedMode::yes}); }).find("open"),
             std::string::npos);
   EXPECT_NE(message([&] {

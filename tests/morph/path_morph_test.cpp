@@ -127,6 +127,15 @@ TEST(PathMorph, ApproximatesWhatIsNoCubic) {
   }
 }
 
+TEST(PathMorph, KeysFarApartKeepTheirOwnShape) {
+  const Curve near = to_curve(CubicPath(Points({{0, 0}, {2, 0}, {2, 2}, {0, 3}})));
+  const Curve far =
+      to_curve(CubicPath(Points({{5e6, 5e6}, {5e6 + 1, 5e6}, {5e6 + 2, 5e6}, {5e6 + 3, 5e6 + 3}})));
+  const std::vector<Shape> keys = {{{near}}, {{far}}};
+  const PathMorph morph{Morph(keys)};
+  for (const bool line : morph.contours().front().lines) EXPECT_FALSE(line);
+}
+
 TEST(PathMorph, MissingContoursCollapse) {
   Shape ring = one(blob(6, 0, 4.0));
   ring.contours.push_back(blob(4, 1.0, 2.0));

@@ -3,6 +3,7 @@
 #include "tandem/match/cost_table.h"
 #include "tandem/match/programme.h"
 #include "tandem/match/samples.h"
+#include "tandem/progress.h"
 #include "tandem/tandem_export.h"
 
 namespace tandem {
@@ -23,7 +24,7 @@ struct ElasticOptions {
                                                  const NodeTable& chord_costs,
                                                  const ElasticOptions& options = {},
                                                  Aggregate aggregate = Aggregate::sum,
-                                                 const NodeMask& mask = {});
+                                                 const NodeMask& mask = {}, const Progress& progress = {});
 
 }  // namespace v0
 }  // namespace tandem
