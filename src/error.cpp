@@ -23,7 +23,10 @@ std::string located(const std::string& source, int line, int column, const std::
 }  // namespace
 
 ParseError::ParseError(std::string source, int line, int column, const std::string& message)
-    : Error(located(source, line, column, message)), source_(std::move(source)), line_(line), column_(column) {}
+    : Error(located(source, line, column, message)),
+      source_(std::move(source)),
+      line_(line),
+      column_(column) {}
 
 }  // namespace v0
 }  // namespace tandem

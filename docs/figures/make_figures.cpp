@@ -36,7 +36,9 @@ std::vector<Shape> in_betweens(const Curve& a, const Curve& b, const MatchOption
   return shapes;
 }
 
-Curve first_contour(const std::string& name) { return load_shape(name).contours.front(); }
+Curve first_contour(const std::string& name) {
+  return load_shape(name).contours.front();
+}
 
 /// Two silhouettes: the picture on the front page.
 std::string front_page() {
@@ -79,7 +81,8 @@ std::string figure_5() {
   });
   const std::string sums = grid(280.0, [&](std::size_t k) { return fmt::format("{:.1f}", cost[k]); });
   Sheet sheet(0, 0);
-  sheet.add_svg("1 - &lt;T1,T2&gt; (2m = 8: invalid)  and  Cost(i,j); the optimal path is shaded", costs + sums, 504, 146);
+  sheet.add_svg("1 - &lt;T1,T2&gt; (2m = 8: invalid)  and  Cost(i,j); the optimal path is shaded",
+                costs + sums, 504, 146);
   return sheet.svg();
 }
 

@@ -41,14 +41,16 @@ void Sheet::add_row(const std::string& label, const std::vector<Shape>& shapes) 
     const Transform place = Transform::translate(x, 0.5 * cell_height_) * Transform::scale(scale, scale) *
                             Transform::translate(-center[0], -center[1]);
     const bool filled = shapes[k].contours.front().is_closed();
-    row += fmt::format("<path class=\"{}\" d=\"{}\"/>\n", filled ? "fill" : "line", path_of(shapes[k], place));
+    row +=
+        fmt::format("<path class=\"{}\" d=\"{}\"/>\n", filled ? "fill" : "line", path_of(shapes[k], place));
   }
   add_svg(label, row, cell_width_ * static_cast<double>(shapes.size()), cell_height_);
 }
 
 void Sheet::add_svg(const std::string& label, const std::string& svg, double width, double height) {
-  body_ += fmt::format("<text x=\"{0:.0f}\" y=\"{1:.0f}\">{2}</text>\n<g transform=\"translate({0:.0f} {3:.0f})\">\n{4}</g>\n",
-                       kMargin, kMargin + height_ + 14.0, label, kMargin + height_ + kLabelHeight, svg);
+  body_ += fmt::format(
+      "<text x=\"{0:.0f}\" y=\"{1:.0f}\">{2}</text>\n<g transform=\"translate({0:.0f} {3:.0f})\">\n{4}</g>\n",
+      kMargin, kMargin + height_ + 14.0, label, kMargin + height_ + kLabelHeight, svg);
   width_ = std::max(width_, width);
   height_ += kLabelHeight + height;
 }
@@ -57,7 +59,8 @@ std::string Sheet::svg() const {
   const double width = width_ + 2.0 * kMargin;
   const double height = height_ + 2.0 * kMargin;
   return fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.0f} {1:.0f}\" width=\"{0:.0f}\" height=\"{1:.0f}\">\n"
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0:.0f} {1:.0f}\" width=\"{0:.0f}\" "
+      "height=\"{1:.0f}\">\n"
       "<style>text{{font:13px sans-serif;fill:#333}}.small{{font-size:11px}}.middle{{text-anchor:middle}}"
       ".fill{{fill:#3b6b8f}}.line{{fill:none;stroke:#3b6b8f;stroke-width:2}}</style>\n"
       "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n{2}</svg>\n",
@@ -71,7 +74,8 @@ std::vector<Shape> naive_in_betweens(const Curve& a, const Curve& b, const std::
   for (double s : times) {
     Points points = keys[0].control_points();
     for (std::size_t k = 0; k < points.data().size(); ++k) {
-      points.data()[k] = (1.0 - s) * keys[0].control_points().data()[k] + s * keys[1].control_points().data()[k];
+      points.data()[k] =
+          (1.0 - s) * keys[0].control_points().data()[k] + s * keys[1].control_points().data()[k];
     }
     shapes.push_back({{Curve(keys[0].degree(), keys[0].knots(), std::move(points), keys[0].weights())}});
   }

@@ -30,6 +30,7 @@ class Sheet {
 };
 
 /// In-betweens of two curves by their parameters alone, without matching: what the figures of [C] call naive.
-[[nodiscard]] std::vector<Shape> naive_in_betweens(const Curve& a, const Curve& b, const std::vector<double>& times);
+[[nodiscard]] std::vector<Shape> naive_in_betweens(const Curve& a, const Curve& b,
+                                                   const std::vector<double>& times);
 
 }  // namespace tandem::figures

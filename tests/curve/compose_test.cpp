@@ -70,8 +70,7 @@ TEST(Compose, AgreesWithOuterAfterInner) {
         const Curve composed = compose(outer, inner);
         ASSERT_EQ(composed.degree(), p * q);
         ASSERT_EQ(composed.domain(), inner.domain());
-        ASSERT_LE(gap(composed, outer, inner), 1e-12)
-            << p << " o " << q << ", case " << i;
+        ASSERT_LE(gap(composed, outer, inner), 1e-12) << p << " o " << q << ", case " << i;
       }
     }
   }

@@ -25,7 +25,8 @@ TEST(Letters, EAndFAreInStep) {
     const Match m = match(e, f, {.method = method});
     const Validity& v = m.report.validity;
     std::printf("%s: valid on %.2f %% of the length, mean <T1,T2> %.3f, least %.4f\n",
-                method == Method::elastic ? "elastic" : "paper", 100.0 * v.valid_share, v.mean_dot, v.min_dot);
+                method == Method::elastic ? "elastic" : "paper", 100.0 * v.valid_share, v.mean_dot,
+                v.min_dot);
     EXPECT_GE(v.valid_share, 0.99);
     EXPECT_GE(v.mean_dot, 0.9);
     EXPECT_EQ(m.report.direction, Direction::forward);

@@ -13,7 +13,8 @@ namespace tandem {
 inline namespace v0 {
 
 /// Reads curves in the form of docs/interface.md: one curve, an array, or {"curves": [...]}.
-/// @throws ParseError with line and column for malformed JSON, and with the index of the curve for an invalid one
+/// @throws ParseError with line and column for malformed JSON, and with the index of the curve for an invalid
+/// one
 [[nodiscard]] TANDEM_IO_EXPORT std::vector<Curve> parse_json_curves(std::string_view text,
                                                                     const std::string& source = "json");
 

@@ -13,23 +13,24 @@
 namespace tandem {
 inline namespace v0 {
 
-/// Reads SVG path data (the whole grammar of SVG 2, section 9.3). `source` names it in errors; `fill`: subpaths
-/// without Z count as closed when their ends meet within 1e-3 of the diagonal, and are closed by a line.
-/// Unlike a browser, which draws what it could read, malformed data is an error.
+/// Reads SVG path data (the whole grammar of SVG 2, section 9.3). `source` names it in errors; `fill`:
+/// subpaths without Z count as closed when their ends meet within 1e-3 of the diagonal, and are closed by a
+/// line. Unlike a browser, which draws what it could read, malformed data is an error.
 /// @throws ParseError with line and column
 [[nodiscard]] TANDEM_IO_EXPORT std::vector<CubicPath> parse_path_data(std::string_view text,
                                                                       const std::string& source = "path data",
                                                                       bool fill = true,
                                                                       const Transform& transform = {});
 
-/// Path data with absolute M, C, L and Z only. lines[i][k]: segment k of path i is written as L; empty: none is.
-/// precision: decimals kept; < 0: shortest text that reads back equal.
+/// Path data with absolute M, C, L and Z only. lines[i][k]: segment k of path i is written as L; empty: none
+/// is. precision: decimals kept; < 0: shortest text that reads back equal.
 [[nodiscard]] TANDEM_IO_EXPORT std::string format_path_data(std::span<const CubicPath> paths,
                                                             std::span<const std::vector<bool>> lines = {},
                                                             int precision = -1);
 
 /// The in-between of `morph` at s as path data: the same commands for every s.
-[[nodiscard]] TANDEM_IO_EXPORT std::string format_path_data(const PathMorph& morph, double s, int precision = -1);
+[[nodiscard]] TANDEM_IO_EXPORT std::string format_path_data(const PathMorph& morph, double s,
+                                                            int precision = -1);
 
 }  // namespace v0
 }  // namespace tandem

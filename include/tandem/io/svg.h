@@ -20,19 +20,21 @@ struct SvgElement {
 };
 
 /// All drawables in document order. Nested groups, `transform`, nested <svg> and `viewBox`, <use> of them,
-/// `fill-rule` and `fill="none"` (attribute, style or style sheet) are honoured; what is not drawn (defs, symbol,
-/// clipPath, mask, marker, pattern; display none, visibility hidden) is left out unless used, and so is what has
-/// neither fill nor stroke beside something that has. Outlines are whole: clipping, masks, stroke widths, markers
-/// and opacity do not count. Coordinates are the user units of the outermost <svg>: its width, height and
-/// preserveAspectRatio are not applied. Percentages need its viewBox, or a width and height.
+/// `fill-rule` and `fill="none"` (attribute, style or style sheet) are honoured; what is not drawn (defs,
+/// symbol, clipPath, mask, marker, pattern; display none, visibility hidden) is left out unless used, and so
+/// is what has neither fill nor stroke beside something that has. Outlines are whole: clipping, masks, stroke
+/// widths, markers and opacity do not count. Coordinates are the user units of the outermost <svg>: its
+/// width, height and preserveAspectRatio are not applied. Percentages need its viewBox, or a width and
+/// height.
 /// @throws ParseError malformed XML or attribute, or no drawable at all
 [[nodiscard]] TANDEM_IO_EXPORT std::vector<SvgElement> parse_svg(std::string_view text,
                                                                  const std::string& source = "svg");
 
-/// The drawables inside the element with that id (itself, if it is one). An element that is not drawn where it
-/// stands, such as a <symbol>, is drawn as <use> would draw it, in its own user units.
+/// The drawables inside the element with that id (itself, if it is one). An element that is not drawn where
+/// it stands, such as a <symbol>, is drawn as <use> would draw it, in its own user units.
 /// @throws ParseError as parse_svg; there is no such element
-[[nodiscard]] TANDEM_IO_EXPORT std::vector<SvgElement> parse_svg_part(std::string_view text, const std::string& id,
+[[nodiscard]] TANDEM_IO_EXPORT std::vector<SvgElement> parse_svg_part(std::string_view text,
+                                                                      const std::string& id,
                                                                       const std::string& source = "svg");
 
 /// A still picture of the shape's contours (planar), filled or stroked.

@@ -26,11 +26,11 @@ struct Validity {
 /// curve that stands still over a whole span has none, and the value is 1 there (spec C18).
 ///
 /// Sampled on every span common to both, more densely where tangents turn far or the value is near a change
-/// of sign, and the minimum sharpened. In the tangent norm no negative stretch longer than 1/8192 of a span is
-/// missed: between samples the control points must certify the sign, or the samples are halved. Corners are
-/// seen from both sides, the seam of two closed curves as well; and, in the plane, a pair of corners whose
-/// blended turn passes pi is invalid although its tangents agree (spec C13): `valid` is false then, while the
-/// other fields keep what the values say.
+/// of sign, and the minimum sharpened. In the tangent norm no negative stretch longer than 1/8192 of a span
+/// is missed: between samples the control points must certify the sign, or the samples are halved. Corners
+/// are seen from both sides, the seam of two closed curves as well; and, in the plane, a pair of corners
+/// whose blended turn passes pi is invalid although its tangents agree (spec C13): `valid` is false then,
+/// while the other fields keep what the values say.
 /// @throws InvalidArgument the dimensions or the domains differ
 [[nodiscard]] TANDEM_EXPORT Validity check_validity(const Curve& a, const Curve& b,
                                                     NormKind norm = NormKind::tangent);
