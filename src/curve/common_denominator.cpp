@@ -197,6 +197,7 @@ class Denominators {
 // constant.
 std::vector<Curve> with_equal_weights(const std::vector<Curve>& curves) {
   std::vector<Curve> result;
+  result.reserve(curves.size());
   const bool constant = constant_weights(curves.front());
   for (const Curve& curve : curves) {
     result.emplace_back(curve.degree(), curve.knots(), curve.control_points(),
@@ -218,6 +219,7 @@ std::vector<Curve> with_common_denominator(std::span<const Curve> curves) {
   std::vector<detail::Spline> splines = detail::over_one_domain(curves, false);
   const std::vector<detail::Break> smoothness = detail::unite_breaks(splines);
   std::vector<detail::Pieces> pieces;
+  pieces.reserve(splines.size());
   for (const detail::Spline& spline : splines) pieces.push_back(detail::decompose(spline));
   std::vector<detail::Break> breaks = pieces.front().breaks;
   const detail::Denominators denominators(std::move(pieces), detail::denominators(compatible));

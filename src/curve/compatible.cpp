@@ -106,7 +106,10 @@ std::vector<Curve> make_compatible(std::span<const Curve> curves) {
   std::vector<detail::Spline> splines = detail::over_one_domain(curves, rational);
   int degree = 1;
   for (const detail::Spline& spline : splines) degree = std::max(degree, spline.degree);
-  for (detail::Spline& spline : splines) spline = detail::elevated(std::move(spline), degree - spline.degree);
+  for (detail::Spline& spline : splines) {
+    const int times = degree - spline.degree;
+    spline = detail::elevated(std::move(spline), times);
+  }
   detail::snap_knots(splines);
   const std::vector<double> knots = detail::united_knots(splines);
   std::vector<Curve> result;

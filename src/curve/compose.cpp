@@ -149,8 +149,7 @@ class PieceComposer {
         weights_(q_ + 1, 1.0),
         to_lo_(q_ + 1),
         to_hi_(q_ + 1),
-        now_((p_ + 1) * stride_),
-        next_() {
+        now_((p_ + 1) * stride_) {
     // Level k holds p - k + 1 polynomials of degree k q.
     std::size_t most = 0;
     for (std::size_t k = 0; k <= p_; ++k) most = std::max(most, (p_ - k + 1) * (k * q_ + 1) * stride_);

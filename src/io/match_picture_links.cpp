@@ -64,15 +64,15 @@ bool is_wide(const Box& box) {
 }
 
 std::array<Frame, 2> halves(const Frame& frame, bool stacked) {
-  constexpr double gap = 48.0;
+  constexpr double kGap = 48.0;
   if (stacked) {
-    const double height = (frame.height - gap) / 2.0;
+    const double height = (frame.height - kGap) / 2.0;
     return {Frame{frame.x, frame.y, frame.width, height},
-            Frame{frame.x, frame.y + height + gap, frame.width, height}};
+            Frame{frame.x, frame.y + height + kGap, frame.width, height}};
   }
-  const double width = (frame.width - gap) / 2.0;
+  const double width = (frame.width - kGap) / 2.0;
   return {Frame{frame.x, frame.y, width, frame.height},
-          Frame{frame.x + width + gap, frame.y, width, frame.height}};
+          Frame{frame.x + width + kGap, frame.y, width, frame.height}};
 }
 
 // A quiet rainbow: equal steps look about equal, no colour screams.

@@ -100,7 +100,7 @@ std::string draw_cells(const Cells& cells, const Frame& frame) {
   const auto key_of = [&](std::size_t at) {
     const double range = most[cells.invalid[at]];
     const double share = range > 0.0 ? cells.cost[at] / range : cells.invalid[at] ? 0.5 : 0.0;
-    const int level = static_cast<int>(share * (kLevels - 1) + 0.5);
+    const int level = static_cast<int>(std::lround(share * (kLevels - 1)));
     return std::pair<int, bool>{std::clamp(level, 0, kLevels - 1), cells.invalid[at]};
   };
   std::map<std::pair<int, bool>, std::string> paths;  // one path per colour, in cell units

@@ -106,8 +106,8 @@ std::vector<double> equal_shares(int n) {
 
 /// x rounded to a whole number, for 0 <= x < 2^51, in a form that loops over lanes.
 double round_whole(double x) {
-  constexpr double shift = 6755399441055744.0;  // 1.5 * 2^52
-  return (x + shift) - shift;
+  constexpr double kShift = 6755399441055744.0;  // 1.5 * 2^52
+  return (x + kShift) - kShift;
 }
 
 class EdgeCosts {

@@ -234,7 +234,7 @@ Path aggregate_path(const EdgeTable& table, Aggregate aggregate, const Path* bea
                             ? LexCost::infinite()
                             : LexCost{static_cast<double>(beat->invalid), beat->cost};
   if (aggregate == Aggregate::sum) return find(table, SumCosts{}, limit);
-  const Path widest = find(table, MaxCosts{}, limit);
+  Path widest = find(table, MaxCosts{}, limit);
   if (widest.cancelled || widest.nodes.empty()) return widest;
   Path path = find(bar_above(table, widest.cost), SumCosts{}, LexCost::infinite());
   path.cost = widest.cost;

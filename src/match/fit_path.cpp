@@ -80,7 +80,7 @@ std::vector<ParameterPair> one_period(const Correspondence& correspondence) {
 std::vector<ParameterPair> closed_points(const Correspondence& correspondence) {
   const Interval& domain = correspondence.domain_u;
   const double period_v = correspondence.domain_v.length();
-  const std::vector<ParameterPair> cycle = one_period(correspondence);
+  std::vector<ParameterPair> cycle = one_period(correspondence);
   if (cycle.empty()) return cycle;
 
   // v at the cut: half-way along the points that lie on it, else between the last point and the first one.

@@ -182,6 +182,7 @@ std::vector<double> find_corners(const Curve& curve, double angle, bool cyclic, 
     corners.resize(static_cast<std::size_t>(most));
   }
   std::vector<double> parameters;
+  parameters.reserve(corners.size());
   for (const Corner& c : corners) parameters.push_back(c.parameter);
   std::sort(parameters.begin(), parameters.end());
   return parameters;

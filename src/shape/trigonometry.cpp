@@ -27,8 +27,8 @@ double cosine_series(double x) {
 
 CosSin cos_sin_degrees(double degrees) {
   if (!std::isfinite(degrees)) {
-    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-    return {nan, nan};
+    constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+    return {kNan, kNan};
   }
   const double turn = std::fmod(degrees, 360.0);
   const double quadrant = std::floor(turn / 90.0 + 0.5);
