@@ -32,6 +32,7 @@ const std::vector<double> kTimes = {0.0, 0.2, 0.4, 0.6, 0.8, 1.0};
 std::vector<Shape> in_betweens(const Curve& a, const Curve& b, const MatchOptions& options) {
   const Morph morph(a, b, match(a, b, options));
   std::vector<Shape> shapes;
+  shapes.reserve(kTimes.size());
   for (double s : kTimes) shapes.push_back(morph.at(s));
   return shapes;
 }
@@ -113,12 +114,12 @@ std::string figure_9() {
 
 /// A straight line with one wave in it: control points at the Greville abscissae of uniform cubic knots.
 Curve wave(double start) {
-  constexpr int spans = 100;
+  constexpr int kSpans = 100;
   std::vector<double> knots(3, 0.0);
-  for (int k = 0; k <= spans; ++k) knots.push_back(static_cast<double>(k) / spans);
+  for (int k = 0; k <= kSpans; ++k) knots.push_back(static_cast<double>(k) / kSpans);
   knots.insert(knots.end(), 3, 1.0);
-  Points points(2, spans + 3);
-  for (std::size_t i = 0; i < spans + 3; ++i) {
+  Points points(2, kSpans + 3);
+  for (std::size_t i = 0; i < kSpans + 3; ++i) {
     const double x = 10.0 * (knots[i + 1] + knots[i + 2] + knots[i + 3]) / 3.0;
     const double local = (x - start) / 2.0;
     points[i][0] = x;
@@ -154,7 +155,7 @@ int main(int argc, char** argv) {
                                                          {"figure-12.svg", figure_12()}};
     int differ = 0;
     for (const auto& [name, svg] : pictures) {
-      const std::string path = folder + "/" + name;
+      const std::string path = fmt::format("{}/{}", folder, name);
       if (!check) {
         write_file(path, svg);
       } else if (read_file(path) != svg) {
