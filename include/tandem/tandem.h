@@ -12,6 +12,7 @@
 #include "tandem/curve/points.h"
 #include "tandem/error.h"
 #include "tandem/match/match.h"
+#include "tandem/match/rotation.h"
 #include "tandem/morph/morph.h"
 #include "tandem/morph/path_morph.h"
 #include "tandem/progress.h"

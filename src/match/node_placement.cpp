@@ -69,18 +69,6 @@ class Monitor {
   std::vector<double> turning_;
 };
 
-/// The angle in [0, 360) whose cosine and sine are (re, im) / |(re, im)|, by Newton's method from the middle
-/// of its quadrant: the library's atan2 differs between platforms.
-double angle_degrees(double re, double im) {
-  const double radius = std::sqrt(re * re + im * im);
-  double degrees = re >= 0.0 ? (im >= 0.0 ? 45.0 : 315.0) : (im >= 0.0 ? 135.0 : 225.0);
-  for (int round = 0; round < 8; ++round) {
-    const CosSin w = cos_sin_degrees(degrees);
-    degrees += (im * w.cosine - re * w.sine) / radius * (180.0 / std::numbers::pi);
-  }
-  return degrees;
-}
-
 /// The phase of the lowest harmonic of the curve, as an arc length from `start`, where its sampling begins.
 /// The coordinate in which the harmonic is strongest decides.
 double harmonic_offset(const Curve& curve, const ArcLength& arc, double start, int samples) {

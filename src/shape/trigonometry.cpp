@@ -47,5 +47,17 @@ CosSin cos_sin_degrees(double degrees) {
   }
 }
 
+double angle_degrees(double re, double im) {
+  const double radius = std::sqrt(re * re + im * im);
+  if (!(radius > 0.0)) return 0.0;
+  // Newton's method from the middle of the quadrant.
+  double degrees = re >= 0.0 ? (im >= 0.0 ? 45.0 : 315.0) : (im >= 0.0 ? 135.0 : 225.0);
+  for (int round = 0; round < 8; ++round) {
+    const CosSin w = cos_sin_degrees(degrees);
+    degrees += (im * w.cosine - re * w.sine) / radius * (180.0 / std::numbers::pi);
+  }
+  return degrees;
+}
+
 }  // namespace v0
 }  // namespace tandem
