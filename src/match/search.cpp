@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "match/elastic_programme.h"
 #include "match/lexicographic.h"
 #include "match/parallel_for.h"
 #include "tandem/error.h"
@@ -85,6 +86,10 @@ Path elastic_path(const Samples& a, const Samples& b, const MatchOptions& option
   }
   const Aggregate aggregate = aggregate_of(options.norm);
   const NodeTable chords = chord_costs(a, b, options.norm, options.features, sign);
+  if (mask.allowed.empty()) {
+    EdgeRows edges(a, b, chords, options.elastic, aggregate);
+    return best_elastic_path(edges, aggregate, nullptr, progress, beat);
+  }
   const EdgeTable edges = edge_costs(a, b, chords, options.elastic, aggregate, mask, progress);
   if (layout == Layout::toroidal) return closed_path(edges, aggregate, progress, beat);
   if (layout == Layout::cut_a) return cut_path(edges, aggregate, progress, beat);

@@ -1,0 +1,143 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "match/elastic_kernels.h"
+#include "tandem/match/cost_table.h"
+#include "tandem/match/elastic.h"
+#include "tandem/match/programme.h"
+#include "tandem/match/samples.h"
+
+namespace tandem {
+inline namespace v0 {
+namespace detail {
+
+/// What a programme makes of invalid edges.
+enum class Counting {
+  barred,   ///< they cost infinity
+  counted,  ///< their invalid length counts before the cost
+};
+
+/// A whole number of blocks of columns.
+struct Columns {
+  int lo = 0;
+  int hi = 0;
+};
+
+[[nodiscard]] constexpr int whole_blocks(int n) noexcept {
+  return (n + kBlock - 1) / kBlock * kBlock;
+}
+
+/// Steps in the order of their preference on ties: nearest the diagonal first, then the smaller a.
+[[nodiscard]] std::vector<std::size_t> tie_order(const std::vector<Step>& steps);
+
+/// The edges of the elastic programme, row of end nodes by row of end nodes, in the layout that the kernels
+/// read: column x is the node x + first_col() (modulo cols() on a loop), and a row holds stride() columns per
+/// step, barred from width() on.
+///
+/// Rows are computed when they are asked for, from the chords (no table of all edges need exist), or read
+/// from an EdgeTable. Not for several threads at once.
+class EdgeRows {
+ public:
+  /// The chord costs must outlive the rows. @throws InvalidArgument see edge_costs()
+  EdgeRows(const Samples& a, const Samples& b, const NodeTable& chords, const ElasticOptions& options,
+           Aggregate aggregate);
+  explicit EdgeRows(const EdgeTable& table);
+
+  [[nodiscard]] int rows() const { return rows_; }
+  [[nodiscard]] int cols() const { return cols_; }
+  [[nodiscard]] bool rows_cyclic() const { return rows_cyclic_; }
+  [[nodiscard]] bool cols_cyclic() const { return cols_cyclic_; }
+  [[nodiscard]] const std::vector<Step>& steps() const { return steps_; }
+  [[nodiscard]] int longest() const { return longest_; }
+  /// Columns in which a path may start.
+  [[nodiscard]] int first_col() const { return first_col_; }
+  [[nodiscard]] int width() const { return width_; }
+  [[nodiscard]] int stride() const { return stride_; }
+
+  /// Sets what the rows hold from now on: edges that cost more than `threshold` are barred.
+  void hold(Counting counting, double threshold);
+  [[nodiscard]] Counting counting() const { return counting_; }
+  /// Keeps rows once they are computed, if that takes no more than this many bytes: several programmes are to
+  /// run over them.
+  void keep(std::size_t bytes);
+
+  struct Row {
+    const double* cost;     ///< steps() * stride()
+    const double* invalid;  ///< the same; nullptr where invalid edges are barred
+  };
+  /// Edges that end in row i, 0 <= i < rows(), at least in these columns; valid until the next call. Where
+  /// rows are not cyclic, steps longer than i mean nothing.
+  [[nodiscard]] Row row(int i, Columns columns);
+
+ private:
+  /// Arrays by column that one curve's chords give for runs of n of them.
+  struct Runs {
+    std::vector<double> length;             ///< of the n chords before each node
+    std::vector<std::vector<double>> ends;  ///< n + 1 arrays: shares of it at which the chords meet
+    std::vector<Columns> mixed;             ///< blocks with chords of different length
+  };
+
+  void measure_columns(const Samples& b);
+  void mark_mixed(Runs& runs, int n);
+  void add_plain_terms(int a, bool restart);
+  void plan_row(int i);
+  void plan_weights(int a, double length);
+  void load_chords(int i);
+  void load_chord_row(int row, std::size_t slot);
+  void weigh_last_chords();
+  void compute_row(int i, Columns columns, double* cost, double* invalid);
+  void integrate(int i, Columns columns, const std::vector<double>& chords, EdgeValue value, double* out);
+  void copy_row(int i, double* cost, double* invalid);
+
+  int rows_;
+  int cols_;
+  bool rows_cyclic_;
+  bool cols_cyclic_;
+  std::vector<Step> steps_;
+  int longest_ = 1;
+  int first_col_ = 1;
+  int width_ = 0;
+  int stride_ = 0;
+  Counting counting_ = Counting::barred;
+  double threshold_;
+  std::size_t row_size_ = 0;
+  std::vector<double> cost_;  ///< one row, or all
+  std::vector<double> invalid_;
+  std::vector<std::uint8_t> known_;  ///< rows that are kept
+  std::size_t kept_bytes_ = 0;
+
+  const EdgeTable* table_ = nullptr;
+
+  // Computed rows only.
+  const NodeTable* chords_ = nullptr;
+  Aggregate aggregate_ = Aggregate::sum;
+  double lambda_ = 0.0;
+  std::vector<double> lengths_a_;  ///< chords of the first curve, from `longest` before node 0 on
+  std::vector<Runs> runs_b_;       ///< by number of chords
+  std::vector<double> chord_b_;    ///< length of the chord before each column
+
+  // A window of chord rows slides along with the row that is asked for.
+  int chord_stride_ = 0;
+  std::size_t window_rows_ = 0;
+  int window_row_ = -1;          ///< the row whose chords were loaded last; -1: none
+  std::size_t window_slot_ = 0;  ///< slot of the row itself, behind its chords
+  std::vector<double> chord_cost_;
+  std::vector<double> chord_flag_;
+  std::vector<std::uint8_t> flagged_;  ///< slots with any invalid chord
+
+  // What depends on the lengths of the chords before the row.
+  std::vector<double> planned_;  ///< those lengths
+  std::vector<EdgeTerm> terms_;
+  std::vector<EdgeSum> sums_;
+  std::vector<double> weighed_;  ///< by a: the length that factor_ and strain_ belong to
+  std::vector<double> factor_;
+  std::vector<double> strain_;
+  std::vector<std::vector<double>> ends_a_;  ///< by a
+};
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace tandem
