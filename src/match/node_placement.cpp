@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "curve/evaluator.h"
 #include "match/tangent.h"
@@ -15,6 +16,16 @@ inline namespace v0 {
 namespace detail {
 
 namespace {
+
+/// Harmonics that give a loop without corners its phase. A shape of k-fold symmetry has only each k-th in the
+/// distances that it covers; a circle has the first in its coordinates.
+constexpr int kHighestReach = 16;
+constexpr int kHighestCoordinate = 4;
+/// Samples that the harmonics are taken from, and the amplitude (as a share of the extent) below which one
+/// does not count: then the aliasing of the higher ones, which fall with the third power where the curvature
+/// jumps, stays a thousand times smaller.
+constexpr int kPhaseSamples = 256;
+constexpr double kFaintest = 1e-4;
 
 /// A stretch of the curve between two corners (or ends), in arc length.
 struct Section {
@@ -69,54 +80,77 @@ class Monitor {
   std::vector<double> turning_;
 };
 
-/// The phase of the lowest harmonic of the curve, as an arc length from `start`, where its sampling begins.
-/// The coordinate in which the harmonic is strongest decides.
-double harmonic_offset(const Curve& curve, const ArcLength& arc, double start, int samples) {
-  const Evaluator evaluator(curve);
-  const auto dim = static_cast<std::size_t>(curve.dim());
-  Points points(curve.dim(), static_cast<std::size_t>(samples));
-  for (int k = 0; k < samples; ++k) {
-    const double s = start + arc.length() * k / samples;
-    evaluator.point(arc.parameter_at(s < arc.length() ? s : s - arc.length()),
-                    points[static_cast<std::size_t>(k)]);
-  }
-  for (int harmonic = 1; harmonic <= 4; ++harmonic) {
+/// The share of a period, in [0, 1), that the lowest harmonic of the signals lies behind their start; nothing
+/// if they have no harmonic up to `highest`. The signal in which the harmonic is strongest decides.
+std::optional<double> lowest_harmonic(const Points& signals, int highest) {
+  const int samples = static_cast<int>(signals.size());
+  for (int harmonic = 1; harmonic <= highest; ++harmonic) {
     double best = 0.0;
     double best_re = 0.0;
     double best_im = 0.0;
-    for (std::size_t c = 0; c < dim; ++c) {
+    for (std::size_t c = 0; c < static_cast<std::size_t>(signals.dim()); ++c) {
       double re = 0.0;
       double im = 0.0;
       for (int k = 0; k < samples; ++k) {
         const CosSin w = cos_sin_degrees(360.0 * ((harmonic * k) % samples) / samples);
-        const double x = (points[static_cast<std::size_t>(k)][c] - points[0][c]) / curve.extent();
+        const double x = signals[static_cast<std::size_t>(k)][c] - signals[0][c];
         re += x * w.cosine;
         im += x * w.sine;
       }
       const double amplitude = re * re + im * im;
-      // A later coordinate must be clearly stronger, so that equal ones do not flip with rounding.
+      // A later signal must be clearly stronger, so that equal ones do not flip with rounding.
       if (amplitude > best * 1.000001) {
         best = amplitude;
         best_re = re;
         best_im = im;
       }
     }
-    // Below this the harmonic is rounding: 1e-6 of the extent, squared, times samples^2.
-    if (best <= 1e-12 * samples * samples) continue;
+    if (best <= kFaintest * kFaintest * samples * samples) continue;
     const double turn = angle_degrees(best_re, best_im) / 360.0 / harmonic;
-    return arc.length() * (turn - std::floor(turn));
+    return turn - std::floor(turn);
   }
-  return 0.0;
+  return std::nullopt;
 }
 
-/// Where the loop without corners starts: the phase of its lowest harmonic, which depends on the shape alone
-/// (spec C10). A sum over samples knows the phase only up to their aliasing, which depends on where they
-/// start: they start at the phase itself, found by repetition. Each round shrinks what is left by 1e-4 or so.
-double harmonic_phase(const Curve& curve, const ArcLength& arc, int samples) {
+/// The phase of the curve, as an arc length from `start`, where its sampling begins. What decides is how far
+/// the curve gets within a quarter of its length, place by place, since a turned curve is to get the same
+/// nodes; a circle gets equally far everywhere, and its coordinates decide.
+double harmonic_offset(const Curve& curve, const ArcLength& arc, double start) {
+  const Evaluator evaluator(curve);
+  const auto dim = static_cast<std::size_t>(curve.dim());
+  constexpr std::size_t n = kPhaseSamples;
+  Points points(curve.dim(), n);
+  for (std::size_t k = 0; k < n; ++k) {
+    const double s = start + arc.length() * static_cast<double>(k) / kPhaseSamples;
+    const auto point = points[k];
+    evaluator.point(arc.parameter_at(s < arc.length() ? s : s - arc.length()), point);
+    for (std::size_t c = 0; c < dim; ++c) point[c] /= curve.extent();
+  }
+  Points reaches(1, n);
+  for (std::size_t k = 0; k < n; ++k) {
+    // As far ahead as behind, so that the reversed curve gets the same nodes, too.
+    const auto ahead = points[(k + n / 8) % n];
+    const auto behind = points[(k + n - n / 8) % n];
+    for (std::size_t c = 0; c < dim; ++c) {
+      reaches[k][0] += (ahead[c] - behind[c]) * (ahead[c] - behind[c]);
+    }
+  }
+  if (const auto phase = lowest_harmonic(reaches, kHighestReach)) return arc.length() * *phase;
+  return arc.length() * lowest_harmonic(points, kHighestCoordinate).value_or(0.0);
+}
+
+/// Where the loop without corners starts: its phase, which depends on the shape alone (spec C10). A sum over
+/// samples knows the phase only up to their aliasing, which depends on where they start: they start at the
+/// phase itself, found by repetition. Each round shrinks what is left by 1e-3 or more.
+double harmonic_phase(const Curve& curve, const ArcLength& arc) {
+  constexpr int kMostRounds = 8;
+  constexpr double kSettled = 1e-11;  // share of the length
   double phase = 0.0;
-  for (int round = 0; round < 3; ++round) {
-    phase += harmonic_offset(curve, arc, phase, samples);
+  for (int round = 0; round < kMostRounds; ++round) {
+    const double offset = harmonic_offset(curve, arc, phase);
+    phase += offset;
     if (phase >= arc.length()) phase -= arc.length();
+    if (std::min(offset, arc.length() - offset) <= kSettled * arc.length()) break;
   }
   return phase;
 }
@@ -128,7 +162,7 @@ std::vector<Section> cut_sections(const Curve& curve, const ArcLength& arc,
   if (!options.cyclic) sections.push_back({0.0, 0.0, curve.domain().lo});
   for (double t : corners) sections.push_back({arc.length_to(t), 0.0, t});
   if (sections.empty()) {
-    const double phase = harmonic_phase(curve, arc, std::max(64, options.count));
+    const double phase = harmonic_phase(curve, arc);
     sections.push_back({phase, 0.0, arc.parameter_at(phase)});
   }
   const double end = options.cyclic ? sections.front().start + total : total;
