@@ -7,12 +7,16 @@
 #include <utility>
 
 #include "match/coarse.h"
+#include "match/find_rotation.h"
 #include "match/make_report.h"
 #include "match/path_correspondence.h"
+#include "match/sample_pair.h"
 #include "match/search.h"
+#include "match/turned_samples.h"
 #include "tandem/curve/compose.h"
 #include "tandem/curve/edit.h"
 #include "tandem/error.h"
+#include "tandem/match/rotation.h"
 
 namespace tandem {
 inline namespace v0 {
@@ -21,21 +25,13 @@ namespace {
 
 using detail::Layout;
 using detail::PathParameters;
+using detail::SamplePair;
 using detail::SearchResult;
 
-constexpr int kOpenSamples = 100;
-constexpr int kClosedSamples = 128;
 constexpr int kPaperCoefficients = 20;
 
-/// The elastic steps bridge ratios up to the longest step; beyond half of that the default counts are evened
-/// out.
-constexpr std::size_t kLargestRatio = 3;
-
-/// Coarse to fine: the coarse programme has a quarter of the samples, and the fine one may stray from it by
-/// two coarse samples.
-constexpr int kCoarsening = 4;
-constexpr int kFewestCoarseSamples = 16;
-constexpr int kMaskRadius = 2 * kCoarsening;
+/// Coarse to fine: the fine programme may stray from the coarse one by two coarse samples.
+constexpr int kMaskRadius = 2 * detail::kCoarsening;
 
 class Stopwatch {
  public:
@@ -51,93 +47,56 @@ class Stopwatch {
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
-Layout choose_layout(const Curve& a, const Curve& b, ClosedMode mode) {
-  const bool both = a.is_closed() && b.is_closed();
-  switch (mode) {
-    case ClosedMode::no:
-      return Layout::open;
-    case ClosedMode::yes:
-    case ClosedMode::pinned:
-      if (!both) {
-        throw InvalidArgument(std::string("the ") + (a.is_closed() ? "second" : "first") +
-                              " curve is open; matching as loops needs two closed curves");
-      }
-      return mode == ClosedMode::yes ? Layout::toroidal : Layout::pinned;
-    case ClosedMode::automatic:
-      break;
-  }
-  if (both) return Layout::toroidal;
-  if (a.is_closed()) return Layout::cut_a;
-  return b.is_closed() ? Layout::cut_b : Layout::open;
-}
-
-struct SamplePair {
-  Samples a;
-  Samples b;
-};
-
-SampleOptions sample_options(const MatchOptions& options, int requested, bool cyclic, int divisor) {
-  const bool paper = options.method == Method::paper;
-  SampleOptions s;
-  const int count = requested > 0 ? requested : (cyclic && !paper ? kClosedSamples : kOpenSamples);
-  s.count = divisor == 1 ? count : std::max(kFewestCoarseSamples, count / divisor);
-  s.sampling = options.sampling.value_or(paper ? Sampling::parameter : Sampling::arc);
-  s.cyclic = cyclic;
-  s.corner_angle = options.corner_angle;
-  s.low_pass = options.low_pass;
-  return s;
-}
-
-/// Errors say which of the two curves they are about.
-Samples sample_named(const char* which, const Curve& curve, const SampleOptions& options) {
-  try {
-    return sample(curve, options);
-  } catch (const InvalidArgument& e) {
-    throw InvalidArgument(std::string("the ") + which + " curve cannot be sampled: " + e.what());
-  }
-}
-
-/// Samples of both curves. Counts that the caller left open are raised until the elastic steps can bridge
-/// them.
-SamplePair sample_pair(const Curve& a, const Curve& b, const MatchOptions& options, Layout layout,
-                       int divisor) {
-  // The elastic pinned form cuts the second loop against the first one, which is open at its seam.
-  const bool pinned_open = layout == Layout::pinned && options.method == Method::elastic;
-  const bool cyclic_a =
-      layout == Layout::toroidal || layout == Layout::cut_a || (layout == Layout::pinned && !pinned_open);
-  const bool cyclic_b = layout == Layout::toroidal || layout == Layout::cut_b || layout == Layout::pinned;
-  SampleOptions options_a = sample_options(options, options.samples[0], cyclic_a, divisor);
-  SampleOptions options_b = sample_options(options, options.samples[1], cyclic_b, divisor);
-  SamplePair pair{sample_named("first", a, options_a), sample_named("second", b, options_b)};
-  if (options.method == Method::paper) return pair;
-  const auto too_few = [](const Samples& few, const Samples& many) {
-    return few.chords() * kLargestRatio < many.chords();
-  };
-  if (options.samples[0] == 0 && too_few(pair.a, pair.b)) {
-    options_a.count = static_cast<int>(pair.b.size() / 2);
-    pair.a = sample(a, options_a);
-  } else if (options.samples[1] == 0 && too_few(pair.b, pair.a)) {
-    options_b.count = static_cast<int>(pair.a.size() / 2);
-    pair.b = sample(b, options_b);
-  }
-  return pair;
-}
-
 PathParameters parameters_of(const SamplePair& samples, const SearchResult& found,
                              const MatchOptions& options, Layout layout) {
   return detail::path_parameters(samples.a, found.samples_b, found.path.nodes, found.reversed,
                                  detail::is_closed_layout(layout), options.method == Method::elastic);
 }
 
+/// The rotation of a match, and the optimum under it.
+struct Optimum {
+  Rotation rotation;
+  SearchResult found;  ///< samples_b is turned back
+};
+
 /// The programme on a quarter of the samples, and with it a mask for all of them; also settles the direction.
-NodeMask coarse_mask(const Curve& a, const Curve& b, const SamplePair& fine, MatchOptions& options,
-                     Layout layout) {
-  const SamplePair coarse = sample_pair(a, b, options, layout, kCoarsening);
+NodeMask coarse_mask(const SamplePair& coarse, const SamplePair& fine, MatchOptions& options, Layout layout) {
   const SearchResult found = detail::search(coarse.a, coarse.b, options, layout);
   if (found.path.nodes.empty() || found.path.cancelled) return {};
   options.direction = found.reversed ? Direction::reversed : Direction::forward;
   return detail::mask_near(fine.a, fine.b, parameters_of(coarse, found, options, layout).correspondence,
                            kMaskRadius);
+}
+
+/// The optimum for the rotation that the options give, or that has to be found.
+Optimum find_optimum(const Curve& a, const Curve& b, const SamplePair& samples, MatchOptions options,
+                     Layout layout) {
+  Optimum best{options.rotation.empty() ? Rotation(a.dim()) : Rotation(a.dim(), options.rotation), {}};
+  const bool look = options.rotation.empty() && options.rotate.value_or(false);
+  SamplePair coarse;
+  if (look || options.coarse_to_fine) {
+    coarse = detail::sample_pair(a, b, options, layout, detail::kCoarsening);
+  }
+  if (look) {
+    const detail::RotationTask task{samples, coarse, layout};
+    detail::FoundRotation turn = detail::find_rotation({&task, 1}, options, 0.0);
+    best.rotation = std::move(turn.rotation);
+    best.found.path.cancelled = turn.cancelled;
+    if (!turn.found.empty()) best.found = std::move(turn.found.front());
+    if (turn.cancelled || !turn.found.empty()) return best;
+  }
+  const Rotation back = best.rotation.inverse();
+  const SamplePair turned{samples.a, detail::turned(samples.b, back)};
+  NodeMask mask;
+  if (options.coarse_to_fine) {
+    coarse.b = detail::turned(std::move(coarse.b), back);
+    mask = coarse_mask(coarse, turned, options, layout);
+  }
+  best.found = detail::search(turned.a, turned.b, options, layout, mask);
+  if (best.found.path.nodes.empty() && !mask.allowed.empty() && !best.found.path.cancelled) {
+    best.found = detail::search(turned.a, turned.b, options, layout);
+  }
+  return best;
 }
 
 ReductionOptions reduction_of(const MatchOptions& options) {
@@ -171,9 +130,19 @@ Reparametrization in_own_domain(Reparametrization r, const Interval& cut, const 
   return r;
 }
 
-NormKind validity_norm(const Norm& norm) {
+/// The curve turned about the origin, and halved, so that huge coordinates stay finite: what validity in the
+/// tangent norm depends on stays the same.
+Curve turned(const Curve& curve, const Rotation& rotation) {
+  Points points = curve.control_points();
+  for (double& x : points.data()) x *= 0.5;
+  return Curve(curve.degree(), curve.knots(), rotation(std::move(points)), curve.weights());
+}
+
+/// [C] Definition 5 in the frame in which the blend is made (spec C5): the second curve turned back.
+Validity validity_of(const Curve& a, const Curve& b, const Rotation& rotation, const Norm& norm) {
   const auto* kind = std::get_if<NormKind>(&norm);
-  return kind != nullptr && *kind == NormKind::ruled ? NormKind::ruled : NormKind::tangent;
+  if (kind != nullptr && *kind == NormKind::ruled) return check_validity(a, b, NormKind::ruled);
+  return check_validity(a, rotation.is_identity() ? b : turned(b, rotation.inverse()), NormKind::tangent);
 }
 
 /// What a cancelled match holds: the curves side by side by their parameters.
@@ -193,6 +162,9 @@ void check_curves(const Curve& a, const Curve& b, const MatchOptions& options) {
     throw InvalidArgument("the curves have different dimensions: the first has " + std::to_string(a.dim()) +
                           ", the second " + std::to_string(b.dim()));
   }
+  const bool turns = options.rotation.empty() ? options.rotate.value_or(false)
+                                              : !Rotation(a.dim(), options.rotation).is_identity();
+  if (turns) detail::check_turnable(options.norm);
   for (const int m : options.samples) {
     if (m < 0 || m == 1) throw InvalidArgument("samples must be at least 2, or 0 for the default");
   }
@@ -200,20 +172,15 @@ void check_curves(const Curve& a, const Curve& b, const MatchOptions& options) {
 
 }  // namespace
 
-Match match(const Curve& a, const Curve& b, const MatchOptions& given) {
-  check_curves(a, b, given);
-  MatchOptions options = given;
-  const Layout layout = choose_layout(a, b, options.closed);
+Match match(const Curve& a, const Curve& b, const MatchOptions& options) {
+  check_curves(a, b, options);
+  const Layout layout = detail::choose_layout(a, b, options.closed);
   Stopwatch watch;
-  SamplePair samples = sample_pair(a, b, options, layout, 1);
+  SamplePair samples = detail::sample_pair(a, b, options, layout, 1);
   const double sample_seconds = watch.lap();
 
-  NodeMask mask;
-  if (options.coarse_to_fine) mask = coarse_mask(a, b, samples, options, layout);
-  SearchResult found = detail::search(samples.a, samples.b, options, layout, mask);
-  if (found.path.nodes.empty() && !mask.allowed.empty() && !found.path.cancelled) {
-    found = detail::search(samples.a, samples.b, options, layout);
-  }
+  const Optimum best = find_optimum(a, b, samples, options, layout);
+  const SearchResult& found = best.found;
   if (found.path.cancelled) return cancelled_match(a, b, std::move(samples));
   if (found.path.nodes.empty()) {
     throw InvalidArgument("no path: steps of up to " + std::to_string(options.elastic.longest_step) +
@@ -223,6 +190,7 @@ Match match(const Curve& a, const Curve& b, const MatchOptions& given) {
   }
   PathParameters path = parameters_of(samples, found, options, layout);
   MatchReport report = detail::make_report(samples.a, found, options, layout);
+  report.rotation = best.rotation.values();
   report.seconds.sample = sample_seconds;
   report.seconds.match = watch.lap();
 
@@ -234,10 +202,10 @@ Match match(const Curve& a, const Curve& b, const MatchOptions& given) {
   report.seconds.compose = watch.lap();
 
   const Curve& first = layout == Layout::cut_a ? move_seam(a, curve.domain().lo) : a;
-  report.validity = check_validity(first, curve, validity_norm(options.norm));
-  return {
-      std::move(path.correspondence), std::move(r), std::move(curve), std::move(report), std::move(samples.a),
-      std::move(found.samples_b)};
+  report.validity = validity_of(first, curve, best.rotation, options.norm);
+  if (found.reversed) samples.b = reversed(samples.b);
+  return {std::move(path.correspondence), std::move(r),        std::move(curve), std::move(report),
+          std::move(samples.a),           std::move(samples.b)};
 }
 
 std::vector<Match> match_chain(std::span<const Curve> curves, const MatchOptions& options) {

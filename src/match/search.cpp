@@ -116,13 +116,13 @@ Path paper_path(const Samples& a, const Samples& b, const MatchOptions& options,
   }
   switch (layout) {
     case Layout::toroidal:
-      return closed_path(nodes, aggregate, progress, options.threads);
+      return closed_path(nodes, aggregate, progress);
     case Layout::pinned:
-      return pinned_path(nodes, aggregate, progress, options.threads);
+      return pinned_path(nodes, aggregate, progress);
     case Layout::cut_a:
-      return cut_path(nodes, aggregate, progress, options.threads);
+      return cut_path(nodes, aggregate, progress);
     case Layout::cut_b:
-      return swapped(cut_path(transposed(nodes), aggregate, progress, options.threads));
+      return swapped(cut_path(transposed(nodes), aggregate, progress));
     case Layout::open:
       break;
   }

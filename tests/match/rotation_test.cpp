@@ -8,10 +8,13 @@
 #include <vector>
 
 #include "match/nearest_rotation.h"
+#include "match/turns.h"
 #include "tandem/error.h"
 
 namespace tandem {
 namespace {
+
+using testing_curves::product;
 
 constexpr double kPi = 3.14159265358979323846;
 
@@ -29,20 +32,6 @@ std::vector<double> numbers(std::size_t count) {
 Rotation random_rotation(int dim) {
   return detail::nearest_rotation(numbers(static_cast<std::size_t>(dim) * static_cast<std::size_t>(dim)), dim)
       .rotation;
-}
-
-/// R S
-Rotation product(const Rotation& r, const Rotation& s) {
-  const auto n = static_cast<std::size_t>(r.dim());
-  Points columns(r.dim(), n);
-  for (std::size_t k = 0; k < n; ++k) columns[k][k] = 1.0;
-  columns = r(s(columns));
-  if (r.dim() == 2) return Rotation(2, columns[0]);
-  std::vector<double> values(n * n);
-  for (std::size_t i = 0; i < n; ++i) {
-    for (std::size_t k = 0; k < n; ++k) values[i * n + k] = columns[k][i];
-  }
-  return Rotation(r.dim(), values);
 }
 
 double difference(const Rotation& r, const Rotation& s) {

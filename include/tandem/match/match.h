@@ -48,6 +48,11 @@ struct MatchOptions {
   /// elastic: tolerance 1e-3, order 2; paper: 20 coefficients, order 2.
   std::optional<ReductionOptions> reduction = {};
   Direction direction = Direction::automatic;
+  /// Look for the turn of b against a under which they match best (spec C11). Empty: match() does not, Morph
+  /// does.
+  std::optional<bool> rotate = {};
+  /// The turn to match under instead of one that is looked for, in the form of MatchReport::rotation.
+  std::vector<double> rotation = {};
   ClosedMode closed = ClosedMode::automatic;
   double corner_angle = 0.05;  ///< see SampleOptions
   double low_pass = 0.0;       ///< see SampleOptions
@@ -69,10 +74,12 @@ struct MatchReport {
   double invalid_length = 0.0;  ///< the same as a share of the length
   Validity validity;            ///< on the final curves, after the fit
   Direction direction = Direction::forward;
-  int shift = 0;                 ///< in samples of the second curve
-  std::vector<double> rotation;  ///< cosine and sine (planar), row-major n x n matrix otherwise
-  std::vector<Node> path;        ///< in A's own order; j counts along the reversed second curve if reversed
-  bool exact = true;             ///< false with coarse_to_fine
+  int shift = 0;  ///< in samples of the second curve
+  /// The turn from the first curve to the second: cosine and sine (planar), row-major n x n matrix otherwise.
+  /// The second curve, turned back by it, was matched.
+  std::vector<double> rotation;
+  std::vector<Node> path;  ///< in A's own order; j counts along the reversed second curve if reversed
+  bool exact = true;       ///< false with coarse_to_fine
   bool cancelled = false;
   struct Seconds {
     double sample = 0.0;
@@ -95,9 +102,15 @@ struct Match {
 /// Finds the best correspondence of b to a.
 ///
 /// Symmetric: match(b, a).correspondence is the inverse of match(a, b).correspondence.
+///
+/// With a rotation, b is turned back by it, about its own centre (the mean over its length) as far as
+/// positions count; costs and validity are those of a against b turned back. The match is the exact optimum
+/// for that rotation. One that is looked for is a local optimum: the best that alternation of matching and
+/// Procrustes finds from the peaks of the cross-correlation of the tangents, and from the identity.
 /// @throws InvalidArgument the dimensions differ, a curve is a point, an open curve where ClosedMode wants
 /// closed
-///         ones, or samples whose ratio the elastic steps cannot bridge
+///         ones, samples whose ratio the elastic steps cannot bridge, a rotation that is none, or one with
+///         the ruled norm, whose rulings join the curves where they lie
 [[nodiscard]] TANDEM_EXPORT Match match(const Curve& a, const Curve& b, const MatchOptions& options = {});
 
 /// n curves in step (spec C14): match i brings curve i + 1 into step with the already reparametrised curve i,

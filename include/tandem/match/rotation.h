@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "tandem/curve/curve.h"
+#include "tandem/match/match.h"
 #include "tandem/tandem_export.h"
 
 namespace tandem {
@@ -43,6 +44,16 @@ class TANDEM_EXPORT Rotation {
   int dim_;
   std::vector<double> values_;
 };
+
+/// The turn of several curves to several others under which pair i, a[i] with b[i], matches best, all
+/// together and weighted with their lengths: as match() with MatchOptions::rotate looks for it.
+///
+/// least_gain: the identity comes back unless turning lowers the cost by this share (invalid lengths count
+/// twice their size in it). The curves are only surveyed on a quarter of their samples then.
+/// @throws InvalidArgument no curves or different numbers of them, and as match()
+[[nodiscard]] TANDEM_EXPORT Rotation common_rotation(std::span<const Curve> a, std::span<const Curve> b,
+                                                     const MatchOptions& options = {},
+                                                     double least_gain = 0.0);
 
 }  // namespace v0
 }  // namespace tandem
