@@ -116,13 +116,13 @@ Path paper_path(const Samples& a, const Samples& b, const MatchOptions& options,
   }
   switch (layout) {
     case Layout::toroidal:
-      return closed_path(nodes, aggregate, progress);
+      return closed_path(nodes, aggregate, progress, options.threads);
     case Layout::pinned:
-      return pinned_path(nodes, aggregate, progress);
+      return pinned_path(nodes, aggregate, progress, options.threads);
     case Layout::cut_a:
-      return cut_path(nodes, aggregate, progress);
+      return cut_path(nodes, aggregate, progress, options.threads);
     case Layout::cut_b:
-      return swapped(cut_path(transposed(nodes), aggregate, progress));
+      return swapped(cut_path(transposed(nodes), aggregate, progress, options.threads));
     case Layout::open:
       break;
   }

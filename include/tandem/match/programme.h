@@ -35,7 +35,8 @@ struct Path {
 
 // --- three steps: (1,1), (0,1), (1,0), costs at nodes; [C] eq. (7) ---
 
-/// Optimal path (0,0) -> (rows-1, cols-1). Ties: diagonal first, then (i, j-1), then (i-1, j).
+/// Optimal path (0,0) -> (rows-1, cols-1). Ties: diagonal first, then (i, j-1), then (i-1, j). Needs two bits
+/// per node beside the table.
 [[nodiscard]] TANDEM_EXPORT Path open_path(const NodeTable& table, Aggregate aggregate = Aggregate::sum);
 
 /// The table Cost(i,j) of [C] eq. (7), rows * cols, with `penalty` for an invalid node in place of its cost
@@ -44,19 +45,20 @@ struct Path {
 
 /// Optimal closed path over all starts k: (k,0) -> (k + rows, cols) on the doubled grid, the start node
 /// counted once (toroidal form: Fuchs, Kedem, Uselton 1977; spec C10). The first node has 0 <= i < rows, j =
-/// 0; the last is first + (rows, cols).
+/// 0; the last is first + (rows, cols). Exact, in O(m^2 log m). threads: 0: all; the result does not depend
+/// on them.
 [[nodiscard]] TANDEM_EXPORT Path closed_path(const NodeTable& table, Aggregate aggregate = Aggregate::sum,
-                                             const Progress& progress = {});
+                                             const Progress& progress = {}, int threads = 1);
 
 /// The paper's form for closed curves: for every cyclic shift k of the columns the open programme with both
 /// ends pinned, (0,k) -> (rows-1, k + cols-1); the best of all shifts, the smallest on a tie.
 [[nodiscard]] TANDEM_EXPORT Path pinned_path(const NodeTable& table, Aggregate aggregate = Aggregate::sum,
-                                             const Progress& progress = {});
+                                             const Progress& progress = {}, int threads = 1);
 
 /// The rows' loop cut where it fits the open columns best: the optimal path (k,0) -> (k + rows, cols-1) over
 /// all k, both ends counted.
 [[nodiscard]] TANDEM_EXPORT Path cut_path(const NodeTable& table, Aggregate aggregate = Aggregate::sum,
-                                          const Progress& progress = {});
+                                          const Progress& progress = {}, int threads = 1);
 
 // --- elastic: steps (a,b), costs at edges ---
 
