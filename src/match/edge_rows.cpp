@@ -23,6 +23,9 @@ constexpr std::size_t kSlide = 64;
 /// chords of an edge are like it, which then share it equally.
 constexpr double kNoLength = 1e-100;
 
+/// Costs above this count as infinite, so that no sum overflows.
+constexpr double kMostCost = 1e300;
+
 double length_of(const Samples& s, std::size_t chord) {
   return std::max(s.chord_lengths[chord], kNoLength);
 }
@@ -103,6 +106,7 @@ EdgeRows::EdgeRows(const Samples& a, const Samples& b, const NodeTable& chords, 
     lengths_a_.push_back(length_of(a, static_cast<std::size_t>(chord)));
   }
   measure_columns(b);
+  for (const double cost : chords.cost) most_ = std::max(most_, cost);
 
   window_rows_ = static_cast<std::size_t>(longest_) + kSlide;
   chord_cost_.assign(window_rows_ * static_cast<std::size_t>(chord_stride_), kInfinity);
@@ -131,7 +135,7 @@ EdgeRows::EdgeRows(const EdgeTable& table)
 
 void EdgeRows::hold(Counting counting, double threshold) {
   counting_ = counting;
-  threshold_ = threshold;
+  threshold_ = most_ > kMostCost ? std::min(threshold, kMostCost) : threshold;
   window_row_ = -1;
   cost_.clear();
   invalid_.clear();
@@ -161,7 +165,11 @@ EdgeRows::Row EdgeRows::row(int i, Columns columns) {
       compute_row(i, kept ? Columns{0, stride_} : columns, cost, invalid);
     }
     if (threshold_ < kInfinity) {
-      for (std::size_t k = 0; k < row_size_; ++k) cost[k] = cost[k] > threshold_ ? kInfinity : cost[k];
+      for (std::size_t k = 0; k < row_size_; ++k) {
+        if (!(cost[k] > threshold_)) continue;
+        cost[k] = kInfinity;
+        if (counted) invalid[k] = kInfinity;
+      }
     }
     if (kept) known_[static_cast<std::size_t>(i)] = 1;
   }
@@ -170,15 +178,16 @@ EdgeRows::Row EdgeRows::row(int i, Columns columns) {
 
 void EdgeRows::copy_row(int i, double* cost, double* invalid) {
   std::fill_n(cost, row_size_, kInfinity);
-  if (invalid != nullptr) std::fill_n(invalid, row_size_, 0.0);
+  if (invalid != nullptr) std::fill_n(invalid, row_size_, kInfinity);
   for (std::size_t s = 0; s < steps_.size(); ++s) {
     const std::size_t from = table_->index(static_cast<std::size_t>(i), s, 0);
     const std::size_t to = s * static_cast<std::size_t>(stride_);
     for (int x = 0; x < width_; ++x) {
       const std::size_t k = from + static_cast<std::size_t>((x + first_col_) % cols_);
       const std::size_t out = to + static_cast<std::size_t>(x);
+      if (table_->cost[k] > kMostCost || (invalid == nullptr && table_->invalid[k] > 0.0)) continue;
+      cost[out] = table_->cost[k];
       if (invalid != nullptr) invalid[out] = table_->invalid[k];
-      if (invalid != nullptr || table_->invalid[k] == 0.0) cost[out] = table_->cost[k];
     }
   }
 }
@@ -229,13 +238,14 @@ void EdgeRows::measure_columns(const Samples& b) {
   }
 }
 
-void EdgeRows::load_chord_row(int row, std::size_t slot) {
-  const auto stride = static_cast<std::size_t>(chord_stride_);
-  const auto pad = static_cast<std::size_t>(whole_blocks(longest_));
-  double* cost = chord_cost_.data() + slot * stride;
-  double* flag = chord_flag_.data() + slot * stride;
-  std::fill_n(cost, stride, kInfinity);
-  std::fill_n(flag, stride, 0.0);
+/// The chords of one row that edges ending in these columns need.
+void EdgeRows::load_chord_row(int row, std::size_t slot, Columns columns) {
+  const int pad = whole_blocks(longest_);
+  double* cost = chord_cost_.data() + slot * static_cast<std::size_t>(chord_stride_) + columns.lo;
+  double* flag = chord_flag_.data() + slot * static_cast<std::size_t>(chord_stride_) + columns.lo;
+  const int size = pad + columns.hi - columns.lo;
+  std::fill_n(cost, size, kInfinity);
+  if (counting_ == Counting::counted) std::fill_n(flag, size, kInfinity);
   const int count = static_cast<int>(chords_->rows);
   if (row < 0) {
     flagged_[slot] = 0;
@@ -246,74 +256,74 @@ void EdgeRows::load_chord_row(int row, std::size_t slot) {
   const auto cols = static_cast<int>(chords_->cols);
   const bool barred = counting_ == Counting::barred;
   std::uint8_t any = 0;
-  // Chords up to the one before the last column; a loop's go on after its end.
-  const int first = cols_cyclic_ ? 0 : std::max(0, first_col_ - static_cast<int>(pad));
-  const int last = width_ + first_col_ - 1;
-  for (int lap = first; lap < last;) {
-    const int from = lap % cols;
-    const int n = std::min(cols - from, last - lap);
-    const double* costs = chords_->cost.data() + at + from;
-    const std::uint8_t* flags = chords_->invalid.data() + at + from;
-    const std::size_t y = pad + static_cast<std::size_t>(lap) - static_cast<std::size_t>(first_col_);
-    for (int k = 0; k < n; ++k) any |= flags[k];
-    if (any == 0) {
-      std::copy_n(costs, n, cost + y);
+  // Chord k is the one before column k + 1 - first_col(); a loop's go on after its end.
+  const int start = columns.lo + first_col_ - pad;
+  const int first = std::max(start, 0);
+  const int last = std::min(columns.hi, width_) + first_col_ - 1;
+  for (int k = first; k < last;) {
+    const int from = k % cols;
+    const int n = std::min(cols - from, last - k);
+    const double* costs = chords_->cost.data() + at + static_cast<std::size_t>(from);
+    const std::uint8_t* flags = chords_->invalid.data() + at + static_cast<std::size_t>(from);
+    double* to = cost + (k - start);
+    double* to_flag = flag + (k - start);
+    for (int c = 0; c < n; ++c) any |= flags[c];
+    if (barred && any != 0) {
+      for (int c = 0; c < n; ++c) to[c] = flags[c] != 0 ? kInfinity : costs[c];
     } else {
-      for (int k = 0; k < n; ++k) {
-        const bool invalid = flags[k] != 0;
-        cost[y + static_cast<std::size_t>(k)] = barred && invalid ? kInfinity : costs[k];
-        flag[y + static_cast<std::size_t>(k)] = invalid ? 1.0 : 0.0;
-      }
+      std::copy_n(costs, n, to);
     }
-    lap += n;
+    for (int c = 0; c < n && !barred; ++c) to_flag[c] = flags[c];
+    k += n;
   }
   flagged_[slot] = any;
 }
 
-void EdgeRows::load_chords(int i) {
+/// Moves the window to row i. Out of order, only what these columns need is loaded, for this once.
+void EdgeRows::load_chords(int i, Columns columns) {
   const auto longest = static_cast<std::size_t>(longest_);
   const auto stride = static_cast<std::size_t>(chord_stride_);
   if (i == window_row_) return;
   const bool next = window_row_ >= 0 && (i == window_row_ + 1 || (i == 0 && window_row_ == rows_ - 1));
+  const Columns all{0, stride_};
   if (!next) {
+    const bool once = columns.hi - columns.lo <= kBlock;
     for (std::size_t k = 0; k < longest; ++k) {
-      load_chord_row(i - longest_ + static_cast<int>(k), k);
+      load_chord_row(i - longest_ + static_cast<int>(k), k, once ? columns : all);
     }
     window_slot_ = longest;
-  } else {
-    if (window_slot_ + 1 == window_rows_) {
-      const std::size_t from = window_slot_ - longest + 1;
-      for (std::vector<double>* rows : {&chord_cost_, &chord_flag_}) {
-        std::copy_n(rows->begin() + static_cast<std::ptrdiff_t>(from * stride), (longest - 1) * stride,
-                    rows->begin());
-      }
-      std::copy_n(flagged_.begin() + static_cast<std::ptrdiff_t>(from), longest - 1, flagged_.begin());
-      window_slot_ = longest - 1;
-    }
-    load_chord_row(i - 1, window_slot_);
-    ++window_slot_;
+    window_row_ = once ? -1 : i;
+    return;
   }
+  if (window_slot_ + 1 == window_rows_) {
+    const std::size_t from = window_slot_ - longest + 1;
+    for (std::vector<double>* rows : {&chord_cost_, &chord_flag_}) {
+      std::copy_n(rows->begin() + static_cast<std::ptrdiff_t>(from * stride), (longest - 1) * stride,
+                  rows->begin());
+    }
+    std::copy_n(flagged_.begin() + static_cast<std::ptrdiff_t>(from), longest - 1, flagged_.begin());
+    window_slot_ = longest - 1;
+  }
+  load_chord_row(i - 1, window_slot_, all);
+  ++window_slot_;
   window_row_ = i;
 }
 
 /// The own slot of the row gets the chords before it, times their lengths on the second curve: what the steps
 /// (1,b) add up.
-void EdgeRows::weigh_last_chords() {
+void EdgeRows::weigh_last_chords(Columns columns) {
   const auto stride = static_cast<std::size_t>(chord_stride_);
-  const double* cost = chord_cost_.data() + (window_slot_ - 1) * stride;
-  double* weighed = chord_cost_.data() + window_slot_ * stride;
+  const std::size_t size = static_cast<std::size_t>(whole_blocks(longest_) + columns.hi - columns.lo);
+  const double* length = chord_b_.data() + columns.lo;
+  const std::size_t to = window_slot_ * stride + static_cast<std::size_t>(columns.lo);
+  const std::size_t from = to - stride;
   if (aggregate_ == Aggregate::maximum) {
-    std::copy_n(cost, stride, weighed);
+    std::copy_n(chord_cost_.data() + from, size, chord_cost_.data() + to);
   } else {
-    for (std::size_t y = 0; y < stride; ++y) weighed[y] = chord_b_[y] * cost[y];
+    for (std::size_t k = 0; k < size; ++k) chord_cost_[to + k] = length[k] * chord_cost_[from + k];
   }
-  if (counting_ == Counting::barred || flagged_[window_slot_ - 1] == 0) {
-    std::fill_n(chord_flag_.data() + window_slot_ * stride, counting_ == Counting::barred ? 0 : stride, 0.0);
-    return;
-  }
-  const double* flag = chord_flag_.data() + (window_slot_ - 1) * stride;
-  double* weighed_flag = chord_flag_.data() + window_slot_ * stride;
-  for (std::size_t y = 0; y < stride; ++y) weighed_flag[y] = chord_b_[y] * flag[y];
+  if (counting_ == Counting::barred) return;
+  for (std::size_t k = 0; k < size; ++k) chord_flag_[to + k] = length[k] * chord_flag_[from + k];
 }
 
 /// Factors that make integrals costs, and strains, of all steps (a,b) over this length of the first curve.
@@ -394,8 +404,8 @@ void EdgeRows::plan_row(int i) {
 }
 
 void EdgeRows::compute_row(int i, Columns columns, double* cost, double* invalid) {
-  load_chords(i);
-  weigh_last_chords();
+  load_chords(i, columns);
+  weigh_last_chords(columns);
   plan_row(i);
   integrate(i, columns, chord_cost_,
             aggregate_ == Aggregate::maximum ? EdgeValue::largest : EdgeValue::integral, cost);

@@ -66,7 +66,7 @@ class EdgeRows {
 
   struct Row {
     const double* cost;     ///< steps() * stride()
-    const double* invalid;  ///< the same; nullptr where invalid edges are barred
+    const double* invalid;  ///< the same, infinite with the cost; nullptr where invalid edges are barred
   };
   /// Edges that end in row i, 0 <= i < rows(), at least in these columns; valid until the next call. Where
   /// rows are not cyclic, steps longer than i mean nothing.
@@ -85,9 +85,9 @@ class EdgeRows {
   void add_plain_terms(int a, bool restart);
   void plan_row(int i);
   void plan_weights(int a, double length);
-  void load_chords(int i);
-  void load_chord_row(int row, std::size_t slot);
-  void weigh_last_chords();
+  void load_chords(int i, Columns columns);
+  void load_chord_row(int row, std::size_t slot, Columns columns);
+  void weigh_last_chords(Columns columns);
   void compute_row(int i, Columns columns, double* cost, double* invalid);
   void integrate(int i, Columns columns, const std::vector<double>& chords, EdgeValue value, double* out);
   void copy_row(int i, double* cost, double* invalid);
@@ -102,6 +102,7 @@ class EdgeRows {
   int width_ = 0;
   int stride_ = 0;
   Counting counting_ = Counting::barred;
+  double most_ = 0.0;  ///< the largest chord cost
   double threshold_;
   std::size_t row_size_ = 0;
   std::vector<double> cost_;  ///< one row, or all

@@ -159,8 +159,8 @@ void relax_costs_range(const RelaxStep* steps, std::size_t count, double* HWY_RE
   const std::size_t n = lanes();
   std::size_t j = lo;
   for (; j + 2 * n <= hi; j += 2 * n) {
-    Lanes x = load(to + j);
-    Lanes y = load(to + j + n);
+    Lanes x = all(std::numeric_limits<double>::infinity());
+    Lanes y = x;
     for (std::size_t k = 0; k < count; ++k) {
       const double* from = steps[k].from_cost + j;
       const double* edge = steps[k].edge_cost + j;
@@ -171,7 +171,7 @@ void relax_costs_range(const RelaxStep* steps, std::size_t count, double* HWY_RE
     hn::StoreU(y, d, to + j + n);
   }
   for (; j < hi; j += n) {
-    Lanes x = load(to + j);
+    Lanes x = all(std::numeric_limits<double>::infinity());
     for (std::size_t k = 0; k < count; ++k) {
       x = hn::Min(x, join<kMaximum>(load(steps[k].from_cost + j), load(steps[k].edge_cost + j)));
     }
@@ -185,41 +185,25 @@ void RelaxCosts(const RelaxStep* steps, std::size_t count, double* to, std::size
   relax_costs_range<false>(steps, count, to, lo, hi);
 }
 
-template <bool kMaximum>
-HWY_INLINE void relax_pair(Lanes& cost, Lanes& invalid, const RelaxStep& s, std::size_t j) {
-  const Lanes other_cost = join<kMaximum>(load(s.from_cost + j), load(s.edge_cost + j));
-  const Lanes other_invalid = hn::Add(load(s.from_invalid + j), load(s.edge_invalid + j));
-  const auto reaches = hn::Lt(other_cost, all(std::numeric_limits<double>::infinity()));
-  const auto cheaper = hn::And(hn::Eq(other_invalid, invalid), hn::Lt(other_cost, cost));
-  const auto better = hn::And(reaches, hn::Or(hn::Lt(other_invalid, invalid), cheaper));
-  cost = hn::IfThenElse(better, other_cost, cost);
-  invalid = hn::IfThenElse(better, other_invalid, invalid);
-}
-
+/// First the least invalid length, then the least cost among the steps that attain it: two short chains of
+/// minima instead of a long one of comparisons.
 template <bool kMaximum>
 void relax_pairs_range(const RelaxStep* steps, std::size_t count, double* HWY_RESTRICT to_cost,
                        double* HWY_RESTRICT to_invalid, std::size_t lo, std::size_t hi) {
   const Tag d;
   const std::size_t n = lanes();
-  std::size_t j = lo;
-  for (; j + 2 * n <= hi; j += 2 * n) {
-    Lanes cost_x = load(to_cost + j);
-    Lanes cost_y = load(to_cost + j + n);
-    Lanes invalid_x = load(to_invalid + j);
-    Lanes invalid_y = load(to_invalid + j + n);
+  const Lanes infinity = all(std::numeric_limits<double>::infinity());
+  for (std::size_t j = lo; j < hi; j += n) {
+    Lanes invalid = infinity;
     for (std::size_t k = 0; k < count; ++k) {
-      relax_pair<kMaximum>(cost_x, invalid_x, steps[k], j);
-      relax_pair<kMaximum>(cost_y, invalid_y, steps[k], j + n);
+      invalid = hn::Min(invalid, hn::Add(load(steps[k].from_invalid + j), load(steps[k].edge_invalid + j)));
     }
-    hn::StoreU(cost_x, d, to_cost + j);
-    hn::StoreU(cost_y, d, to_cost + j + n);
-    hn::StoreU(invalid_x, d, to_invalid + j);
-    hn::StoreU(invalid_y, d, to_invalid + j + n);
-  }
-  for (; j < hi; j += n) {
-    Lanes cost = load(to_cost + j);
-    Lanes invalid = load(to_invalid + j);
-    for (std::size_t k = 0; k < count; ++k) relax_pair<kMaximum>(cost, invalid, steps[k], j);
+    Lanes cost = infinity;
+    for (std::size_t k = 0; k < count; ++k) {
+      const Lanes other = hn::Add(load(steps[k].from_invalid + j), load(steps[k].edge_invalid + j));
+      const Lanes joined = join<kMaximum>(load(steps[k].from_cost + j), load(steps[k].edge_cost + j));
+      cost = hn::Min(cost, hn::IfThenElse(hn::Eq(other, invalid), joined, infinity));
+    }
     hn::StoreU(cost, d, to_cost + j);
     hn::StoreU(invalid, d, to_invalid + j);
   }

@@ -67,11 +67,11 @@ struct RelaxStep {
   const double* edge_invalid;
 };
 
-/// to[lo..hi) becomes the least of itself and from + edge, or max(from, edge), over all steps.
+/// to[lo..hi) becomes the least from + edge, or max(from, edge), over all steps.
 void relax_costs(const RelaxStep* steps, std::size_t count, double* to, std::size_t lo, std::size_t hi,
                  bool maximum);
 
-/// The same in the order (invalid, cost); an infinite cost bars a path, whatever its invalid length.
+/// The same in the order (invalid, cost). What is barred must have an infinite invalid length.
 void relax_pairs(const RelaxStep* steps, std::size_t count, double* to_cost, double* to_invalid,
                  std::size_t lo, std::size_t hi, bool maximum);
 

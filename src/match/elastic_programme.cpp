@@ -72,20 +72,20 @@ Columns ElasticProgramme::reachable(int i, int start_rows) const {
   return {lo / kBlock * kBlock, whole_blocks(hi)};
 }
 
-bool ElasticProgramme::run(int first, int last, const Progress& keep_going) {
+bool ElasticProgramme::run(std::span<const ProgrammeStart> starts, const Progress& keep_going) {
   const int per_row = edges_.first_col();
-  first_row_ = first / per_row;
-  const int start_rows = (last - 1) / per_row - first_row_ + 1;
+  first_row_ = starts.front().number / per_row;
+  const int start_rows = starts.back().number / per_row - first_row_ + 1;
   const int rows = start_rows + descent_;
   const bool counted = edges_.counting() == Counting::counted;
   const std::size_t size = static_cast<std::size_t>(rows) * cell_stride_;
   cost_.assign(size, kInfinity);
   invalid_.assign(counted ? size : 0, kInfinity);
   origin_.clear();
-  for (int start = first; start < last; ++start) {
-    const Cell cell{start / per_row - first_row_, start % per_row - per_row};
-    cost_[index(cell)] = 0.0;
-    if (counted) invalid_[index(cell)] = 0.0;
+  for (const ProgrammeStart& start : starts) {
+    const Cell cell{start.number / per_row - first_row_, start.number % per_row - per_row};
+    cost_[index(cell)] = start.value.cost;
+    if (counted) invalid_[index(cell)] = start.value.invalid;
   }
   std::size_t unseen = 0;
   for (int i = 1; i < rows; ++i) {
@@ -131,8 +131,8 @@ LexCost ElasticProgramme::end_cost(int start) const {
   return {invalid_.empty() ? (cost_[k] < kInfinity ? 0.0 : kInfinity) : invalid_[k], cost_[k]};
 }
 
-/// The cell before this one on its best path: by the first step in the order of ties that attains its cost.
-ElasticProgramme::Cell ElasticProgramme::before(Cell c) {
+/// The last edge of a cell's best path: the first in the order of ties that attains its cost.
+ElasticProgramme::Edge ElasticProgramme::edge_to(Cell c) {
   const int block = c.x / kBlock * kBlock;
   const EdgeRows::Row edges = edges_.row(table_row(c.i), {block, block + kBlock});
   const std::size_t to = index(c);
@@ -140,14 +140,14 @@ ElasticProgramme::Cell ElasticProgramme::before(Cell c) {
     const Step step = edges_.steps()[s];
     if (step.a > c.i) continue;
     const Cell from{c.i - step.a, c.x - step.b};
-    if (from.x < -pad_) continue;
     const std::size_t k = index(from);
     const std::size_t e = s * static_cast<std::size_t>(edges_.stride()) + static_cast<std::size_t>(c.x);
-    const double cost = maximum_ ? MaxCosts::join(cost_[k], edges.cost[e]) : cost_[k] + edges.cost[e];
-    if (!(cost == cost_[to])) continue;
-    if (invalid_.empty() || invalid_[k] + edges.invalid[e] == invalid_[to]) return from;
+    const LexCost edge{invalid_.empty() ? 0.0 : edges.invalid[e], edges.cost[e]};
+    const double cost = maximum_ ? MaxCosts::join(cost_[k], edge.cost) : cost_[k] + edge.cost;
+    if (cost != cost_[to]) continue;
+    if (invalid_.empty() || invalid_[k] + edge.invalid == invalid_[to]) return {from, edge};
   }
-  return {0, -pad_ - 1};  // cannot be: the cell got its cost from one of them
+  return {{0, -pad_}, {}};  // cannot be: the cell got its cost from one of them
 }
 
 int ElasticProgramme::origin(int start) {
@@ -155,7 +155,7 @@ int ElasticProgramme::origin(int start) {
   std::vector<std::size_t> trail;
   Cell c = end_of(start);
   int found = 0;
-  for (; c.x >= 0; c = before(c)) {
+  for (; c.x >= 0; c = edge_to(c).from) {
     found = origin_[index(c)];
     if (found > 0) break;
     trail.push_back(index(c));
@@ -169,14 +169,18 @@ Path ElasticProgramme::path(int start) {
   const int per_row = edges_.first_col();
   const int row = base_row_ + first_row_;
   Path path;
-  const LexCost best = end_cost(start);
-  path.cost = best.cost;
-  path.invalid = static_cast<std::int64_t>(best.invalid);
+  std::vector<double> costs;
   Cell c = end_of(start);
   path.nodes.push_back({row + c.i, per_row + c.x});
   while (c.x >= 0) {
-    c = before(c);
+    const Edge edge = edge_to(c);
+    c = edge.from;
     path.nodes.push_back({row + c.i, per_row + c.x});
+    path.invalid += static_cast<std::int64_t>(edge.cost.invalid);
+    costs.push_back(edge.cost.cost);
+  }
+  for (std::size_t k = costs.size(); k-- > 0;) {
+    path.cost = maximum_ ? MaxCosts::join(path.cost, costs[k]) : path.cost + costs[k];
   }
   std::reverse(path.nodes.begin(), path.nodes.end());
   if (edges_.rows_cyclic()) {

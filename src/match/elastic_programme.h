@@ -2,7 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
+#include <span>
 #include <vector>
 
 #include "match/edge_rows.h"
@@ -24,6 +24,12 @@ struct Band {
   std::vector<Range> columns;  ///< of rows first_row, first_row + 1, ..; column 0 is where paths start
 };
 
+/// Where a run begins, and what its paths have cost before.
+struct ProgrammeStart {
+  int number = 0;
+  LexCost value{0.0, 0.0};
+};
+
 /// One programme over the unrolled grid, from many starts at once.
 ///
 /// Starts are numbered by row, then by column: a closed path starts in one of the first first_col() columns,
@@ -38,21 +44,26 @@ class ElasticProgramme {
   /// Rows in which a path may start, times starts in a row.
   [[nodiscard]] int start_count() const { return start_rows_ * edges_.first_col(); }
 
-  /// Runs the programme from all starts of [first, last). keep_going gets the share done, now and then;
+  /// Runs the programme from these starts, in rising order. keep_going gets the share done, now and then;
   /// false: it said no.
-  [[nodiscard]] bool run(int first, int last, const Progress& keep_going = {});
+  [[nodiscard]] bool run(std::span<const ProgrammeStart> starts, const Progress& keep_going = {});
 
   /// Of the last run: the cost of the best path from any start to the end that belongs to this one.
   [[nodiscard]] LexCost end_cost(int start) const;
   /// The start from which that path comes; the end must have been reached.
   [[nodiscard]] int origin(int start);
-  /// That path.
+  /// That path, with its own cost.
   [[nodiscard]] Path path(int start);
 
  private:
   struct Cell {
     int i;  ///< row of the run
     int x;  ///< column as in EdgeRows; < 0: a start
+  };
+
+  struct Edge {
+    Cell from;
+    LexCost cost;
   };
 
   [[nodiscard]] std::size_t index(Cell c) const {
@@ -63,7 +74,7 @@ class ElasticProgramme {
   [[nodiscard]] int table_row(int i) const;
   [[nodiscard]] Columns reachable(int i, int start_rows) const;
   void relax_row(int i, Columns columns);
-  [[nodiscard]] Cell before(Cell c);
+  [[nodiscard]] Edge edge_to(Cell c);
 
   EdgeRows& edges_;
   bool maximum_;

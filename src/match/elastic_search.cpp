@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <limits>
 #include <numeric>
-#include <queue>
+#include <span>
 #include <utility>
 
 #include "match/elastic_programme.h"
@@ -21,29 +21,45 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// than fetching them from memory.
 constexpr std::size_t kKeptBytes = std::size_t{1} << 28;
 
-/// The best start of a path, exact, by branch and bound.
+/// Paths this much better, relative to their cost, are as good: what rounding may hide.
+constexpr double kSameCost = 1e-13;
+
+LexCost difference(LexCost x, LexCost y) {
+  return {x.invalid - y.invalid, x.cost - y.cost};
+}
+
+/// The best start of a path, exact, by potentials and branch and bound.
 ///
 /// A run from many starts at once gives for each of them a cost that no path from it to its own end can
-/// undercut. Where the path at an end really comes from the start that it belongs to, the bound is attained;
-/// the other starts are searched again in halves, best bound first, until none can beat the best path found.
-/// Rounding does no harm: addition and minimum are monotone in floating point, so a bound is never above the
-/// cost that it bounds.
+/// undercut. Where the best path at an end really comes from the start that it belongs to, the bound is
+/// attained. The other starts may be promised too much, because paths drift: they end at another start than
+/// they began with. So each start k gets a potential p(k), charged to paths that begin there and paid back to
+/// those that end there: nothing changes for a path that returns to its start, and drifting is no longer
+/// free. As in the method of Bellman and Ford, p(k) falls by what the bound of k lacks of the best path
+/// found; if it stops falling, no closed path of any number of laps is better. Where it does not, the starts
+/// are searched in halves. In the order of pairs everything holds likewise: pairs are subtracted by part.
 class BestStart {
  public:
   /// limit: paths that cost more are not wanted. give_up: nothing is found, and gave_up() says so, when the
   /// likeliest start has no path to its end.
-  BestStart(ElasticProgramme& programme, LexCost limit, bool give_up, const Progress& progress)
-      : programme_(programme), limit_(limit), may_give_up_(give_up), progress_(progress) {
+  BestStart(ElasticProgramme& programme, Aggregate aggregate, LexCost limit, bool give_up,
+            const Progress& progress)
+      : programme_(programme),
+        has_potentials_(aggregate == Aggregate::sum),
+        limit_(limit),
+        may_give_up_(give_up),
+        progress_(progress) {
     limit_.cost += kTieMargin * limit_.cost;
-    open_.push({0, programme.start_count(), {0.0, 0.0}});
+    std::vector<ProgrammeStart> all(static_cast<std::size_t>(programme.start_count()));
+    for (std::size_t k = 0; k < all.size(); ++k) all[k].number = static_cast<int>(k);
+    if (!all.empty()) open_.push_back(std::move(all));
   }
 
   [[nodiscard]] Path find() {
-    for (; !open_.empty() && !gave_up_ && !best_.cancelled; ++rounds_) {
-      const Range range = open_.top();
-      open_.pop();
-      if (!promising(range.lower)) break;
-      examine(range);
+    while (!open_.empty() && !gave_up_ && !best_.cancelled) {
+      const std::vector<ProgrammeStart> starts = std::move(open_.back());
+      open_.pop_back();
+      search(starts);
     }
     return std::move(best_);
   }
@@ -51,90 +67,108 @@ class BestStart {
   [[nodiscard]] bool gave_up() const { return gave_up_; }
 
  private:
-  struct Range {
-    int first;
-    int last;
+  struct Bound {
+    ProgrammeStart start;
     LexCost lower;
-  };
-  struct Worse {
-    bool operator()(const Range& x, const Range& y) const {
-      return y.lower < x.lower || (y.lower == x.lower && y.first < x.first);
-    }
   };
 
   [[nodiscard]] bool promising(LexCost lower) const {
     if (best_.nodes.empty()) return lower.cost < kInfinity && !(limit_ < lower);
-    return lower < LexCost{static_cast<double>(best_.invalid), best_.cost};
+    return lower < LexCost{static_cast<double>(best_.invalid), best_.cost - kSameCost * best_.cost};
   }
 
-  [[nodiscard]] bool run(int first, int last) {
+  [[nodiscard]] bool run(std::span<const ProgrammeStart> starts) {
+    ++runs_;
     const auto share = [&](double done) {
-      return progress_((rounds_ + done) / (rounds_ + 1.0 + static_cast<double>(open_.size())));
+      return progress_((runs_ - 1 + done) / (runs_ + 1.0 + 2.0 * static_cast<double>(open_.size())));
     };
-    const bool done = programme_.run(first, last, progress_ ? Progress(share) : Progress());
+    const bool done = programme_.run(starts, progress_ ? Progress(share) : Progress());
     best_.cancelled = !done || (progress_ && !share(1.0));
     return !best_.cancelled;
   }
 
-  void examine(const Range& range) {
-    if (!run(range.first, range.last)) return;
-    std::vector<std::pair<int, LexCost>> undecided = promising_ends(range);
-    if (undecided.empty()) return;
-    // A true path early cuts off most of the search: try the start that promises most.
-    const auto likely =
-        std::min_element(undecided.begin(), undecided.end(), [](const auto& x, const auto& y) {
-          return x.second < y.second;
-        })->first;
-    if (range.last - range.first > 1) {
-      if (!run(likely, likely + 1)) return;
-      const LexCost cost = programme_.end_cost(likely);
-      if (promising(cost)) best_ = programme_.path(likely);
-      gave_up_ = may_give_up_ && best_.nodes.empty();
-    }
-    const auto decided = [&](const auto& start) { return start.first == likely || !promising(start.second); };
-    undecided.erase(std::remove_if(undecided.begin(), undecided.end(), decided), undecided.end());
-    if (undecided.empty()) return;
-    const int first = undecided.front().first;
-    const int last = undecided.back().first + 1;
-    const int middle = first + (last - first + 1) / 2;
-    for (const auto& [lo, hi] : {std::pair{first, middle}, std::pair{middle, last}}) {
-      LexCost lower = LexCost::infinite();
-      for (const auto& [start, cost] : undecided) {
-        if (start >= lo && start < hi) lower = std::min(lower, cost);
+  /// Looks for a better path from one of these starts, again and again until none is left, or until halves
+  /// of them promise more.
+  void search(std::vector<ProgrammeStart> starts) {
+    while (!starts.empty()) {
+      if (!run(starts)) return;
+      std::vector<Bound> bounds = bound(starts);
+      if (bounds.size() > 0 && starts.size() > 1 && !try_likeliest(bounds)) return;
+      drop_settled(bounds);
+      const std::size_t before = starts.size();
+      starts.clear();
+      for (const Bound& b : bounds) starts.push_back({b.start.number, potential(b)});
+      if (!has_potentials_ || starts.size() > before / 2) {
+        split(starts);
+        return;
       }
-      if (lower.cost < kInfinity) open_.push({lo, hi, lower});
     }
   }
 
-  /// Starts whose ends may belong to a better path than the best, after taking the true paths among them.
-  [[nodiscard]] std::vector<std::pair<int, LexCost>> promising_ends(const Range& range) {
-    std::vector<std::pair<int, LexCost>> ends;
-    for (int start = range.first; start < range.last; ++start) {
-      const LexCost cost = programme_.end_cost(start);
-      if (promising(cost)) ends.emplace_back(start, cost);
+  void split(const std::vector<ProgrammeStart>& starts) {
+    if (starts.empty()) return;
+    const auto middle = starts.begin() + static_cast<std::ptrdiff_t>((starts.size() + 1) / 2);
+    open_.emplace_back(starts.begin(), middle);
+    if (middle != starts.end()) open_.emplace_back(middle, starts.end());
+  }
+
+  [[nodiscard]] LexCost potential(const Bound& b) const {
+    if (!has_potentials_) return {0.0, 0.0};
+    const LexCost most = best_.nodes.empty() ? (limit_.cost < kInfinity ? limit_ : LexCost{0.0, 0.0})
+                                             : LexCost{static_cast<double>(best_.invalid), best_.cost};
+    // The end's cost, less the best path's.
+    return difference(difference(b.lower, {-b.start.value.invalid, -b.start.value.cost}), most);
+  }
+
+  /// The bounds of the last run that promise a better path than the best, after taking true paths among them.
+  [[nodiscard]] std::vector<Bound> bound(const std::vector<ProgrammeStart>& starts) {
+    std::vector<Bound> bounds;
+    for (const ProgrammeStart& start : starts) {
+      const Bound b{start, difference(programme_.end_cost(start.number), start.value)};
+      if (promising(b.lower)) bounds.push_back(b);
     }
-    std::stable_sort(ends.begin(), ends.end(),
-                     [](const auto& x, const auto& y) { return x.second < y.second; });
-    // By rising cost: the first true path decides about all that follow.
-    for (const auto& [start, cost] : ends) {
-      if (programme_.origin(start) != start) continue;
-      best_ = programme_.path(start);
+    std::vector<const Bound*> rising;
+    for (const Bound& b : bounds) rising.push_back(&b);
+    std::stable_sort(rising.begin(), rising.end(),
+                     [](const Bound* x, const Bound* y) { return x->lower < y->lower; });
+    // The first true path decides about all that follow.
+    for (const Bound* b : rising) {
+      if (starts.size() > 1 && programme_.origin(b->start.number) != b->start.number) continue;
+      best_ = programme_.path(b->start.number);
       break;
     }
-    const auto settled = [&](const auto& end) { return !promising(end.second); };
-    ends.erase(std::remove_if(ends.begin(), ends.end(), settled), ends.end());
-    std::sort(ends.begin(), ends.end(), [](const auto& x, const auto& y) { return x.first < y.first; });
-    return ends;
+    drop_settled(bounds);
+    return bounds;
+  }
+
+  void drop_settled(std::vector<Bound>& bounds) const {
+    bounds.erase(
+        std::remove_if(bounds.begin(), bounds.end(), [&](const Bound& b) { return !promising(b.lower); }),
+        bounds.end());
+  }
+
+  /// A true path early cuts off most of the search: tries the start that promises most, and drops it. False:
+  /// cancelled or given up.
+  [[nodiscard]] bool try_likeliest(std::vector<Bound>& bounds) {
+    const auto likely = std::min_element(bounds.begin(), bounds.end(),
+                                         [](const Bound& x, const Bound& y) { return x.lower < y.lower; });
+    const ProgrammeStart start{likely->start.number, {0.0, 0.0}};
+    bounds.erase(likely);
+    if (!run({&start, 1})) return false;
+    if (promising(programme_.end_cost(start.number))) best_ = programme_.path(start.number);
+    gave_up_ = may_give_up_ && best_.nodes.empty();
+    return !gave_up_;
   }
 
   ElasticProgramme& programme_;
+  bool has_potentials_;
   LexCost limit_;
   bool may_give_up_;
   const Progress& progress_;
   Path best_;
   bool gave_up_ = false;
-  int rounds_ = 0;
-  std::priority_queue<Range, std::vector<Range>, Worse> open_;
+  int runs_ = 0;
+  std::vector<std::vector<ProgrammeStart>> open_;  ///< sets of starts still to be searched
 };
 
 /// The best path for one aggregate, with edges above the threshold barred.
@@ -144,13 +178,13 @@ Path find_path(EdgeRows& edges, Aggregate aggregate, const Band* band, double th
   {
     ElasticProgramme programme(edges, aggregate, band);
     edges.keep(programme.start_count() > 1 ? kKeptBytes : 0);
-    BestStart search(programme, limit, limit.invalid > 0.0, progress);
+    BestStart search(programme, aggregate, limit, limit.invalid > 0.0, progress);
     Path path = search.find();
     if (path.cancelled || !path.nodes.empty() || limit.invalid == 0.0) return path;
   }
   edges.hold(Counting::counted, threshold);
   ElasticProgramme programme(edges, aggregate, band);
-  return BestStart(programme, limit, false, progress).find();
+  return BestStart(programme, aggregate, limit, false, progress).find();
 }
 
 }  // namespace
