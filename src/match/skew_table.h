@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -32,6 +33,17 @@ class SkewTable {
   [[nodiscard]] V* diagonal(std::size_t e) noexcept { return costs_.data() + e * stride_; }
   [[nodiscard]] const V* diagonal(std::size_t e) const noexcept { return costs_.data() + e * stride_; }
   [[nodiscard]] V& at(std::size_t i, std::size_t j) noexcept { return diagonal((i + j) % rows_)[j]; }
+  /// Row i, piece by piece: fill(first, n, out, stride) writes n columns from `first` on to every stride-th
+  /// place from `out` on.
+  template <class Fill>
+  void set_row(std::size_t i, const Fill& fill) {
+    for (std::size_t j = 0; j < width_;) {
+      const std::size_t e = (i + j) % rows_;
+      const std::size_t n = std::min(width_ - j, rows_ - e);
+      fill(j, n, diagonal(e) + j, stride_ + 1);
+      j += n;
+    }
+  }
   [[nodiscard]] V at(std::size_t i, std::size_t j) const noexcept { return diagonal((i + j) % rows_)[j]; }
 
  private:

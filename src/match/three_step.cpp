@@ -27,8 +27,10 @@ void check_table(const NodeTable& table) {
       table.invalid.size() != table.cost.size()) {
     throw InvalidArgument("a cost table needs rows * cols > 0 costs and as many validity flags");
   }
-  const bool sound = std::all_of(table.cost.begin(), table.cost.end(), [](double c) { return c >= 0.0; });
-  if (!sound) throw InvalidArgument("a node cost is negative or not a number");
+  // Counted rather than looked for: a loop that never leaves early takes several costs at a time.
+  std::size_t sound = 0;
+  for (const double c : table.cost) sound += c >= 0.0 ? 1 : 0;
+  if (sound != table.cost.size()) throw InvalidArgument("a node cost is negative or not a number");
 }
 
 /// The path with its cost and invalid nodes counted anew, without penalties. skip: nodes at its start that do
@@ -80,14 +82,27 @@ Path with_aggregate(const NodeTable& table, Aggregate aggregate, const Find& fin
 enum class Family { closed, cut, pinned };
 
 SkewTable<double> skewed(const LexicographicNodes& nodes, Family family) {
-  // The starts run along the rows of a skewed table.
-  const bool transposed = family == Family::pinned;
-  const std::size_t rows = transposed ? nodes.cols() : nodes.rows();
-  const std::size_t cols = transposed ? nodes.rows() : nodes.cols();
-  SkewTable<double> table(rows, cols + (family == Family::closed ? 1 : 0));
-  for (std::size_t i = 0; i < rows; ++i) {
-    for (std::size_t j = 0; j < cols; ++j) table.at(i, j) = transposed ? nodes(j, i) : nodes(i, j);
-    if (family == Family::closed) table.at(i, cols) = nodes(i, 0);
+  if (family == Family::pinned) {
+    // The starts run along the rows of a skewed table.
+    SkewTable<double> table(nodes.cols(), nodes.rows());
+    for (std::size_t i = 0; i < nodes.rows(); ++i) {
+      // Column i of all rows j: node (j,i) is in row (i + j) mod rows of the table.
+      const std::size_t e = i % nodes.cols();
+      const std::size_t before_wrap = nodes.cols() - e;
+      nodes.copy(i, 0, before_wrap, table.diagonal(e) + i, table.stride());
+      if (e > 0) nodes.copy(i, before_wrap, e, table.diagonal(0) + i, table.stride());
+    }
+    return table;
+  }
+  const bool closed = family == Family::closed;
+  SkewTable<double> table(nodes.rows(), nodes.cols() + (closed ? 1 : 0));
+  for (std::size_t i = 0; i < nodes.rows(); ++i) {
+    table.set_row(i, [&](std::size_t first, std::size_t n, double* out, std::size_t stride) {
+      const std::size_t inside = std::min(n, nodes.cols() - first);
+      if (inside > 0) nodes.copy(i, first, inside, out, stride);
+      // Column 0 again.
+      if (inside < n) nodes.copy(i, 0, 1, out + inside * stride, stride);
+    });
   }
   return table;
 }

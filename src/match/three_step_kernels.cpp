@@ -200,10 +200,9 @@ class StreamedDiagonals {
     for (std::size_t i = from; i < to; ++i) {
       const std::size_t first = i > d_ ? i - d_ : 0;
       const std::size_t last = std::min(kBlock, cols + i - d_);
-      for (std::size_t k = first; k < last; ++k) {
-        const std::size_t j = d_ + k - i;
-        block_[k * stride_ + j] = nodes_(i, j);
-      }
+      // One antidiagonal and one column further with every cell.
+      const std::size_t column = d_ + first - i;
+      nodes_.copy(i, column, last - first, block_.data() + first * stride_ + column, stride_ + 1);
     }
   }
 
