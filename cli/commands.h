@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "match_flags.h"
+#include "rank_flags.h"
 
 namespace cli {
 
@@ -26,6 +27,7 @@ struct Command {
   std::string to;
   CommonFlags common;
   MatchFlags match;
+  RankFlags rank;
   std::string blend = "auto";
   std::string frames;
   std::string at;
@@ -39,6 +41,11 @@ void add_match_command(CLI::App& program, Command& command);
 void add_morph_command(CLI::App& program, Command& command);
 void add_info_command(CLI::App& program, Command& command);
 void add_convert_command(CLI::App& program, Command& command);
+void add_rank_command(CLI::App& program, Command& command);
+void add_index_command(CLI::App& program, Command& command);
+
+/// @throws UsageError standard input is named twice
+void check_standard_input(const Command& command);
 
 /// The inputs as shapes. @throws UsageError unless their number lies in [least, most]; standard input named
 /// twice

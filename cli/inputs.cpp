@@ -8,6 +8,11 @@
 
 namespace cli {
 
+void check_standard_input(const Command& command) {
+  if (std::count(command.inputs.begin(), command.inputs.end(), "-") > 1)
+    throw UsageError("standard input can be read only once");
+}
+
 std::vector<tandem::Shape> load_inputs(const Command& command, std::size_t least, std::size_t most) {
   const std::vector<std::string>& names = command.inputs;
   if (names.size() < least || names.size() > most) {
@@ -15,8 +20,7 @@ std::vector<tandem::Shape> load_inputs(const Command& command, std::size_t least
     throw UsageError(fmt::format("{} takes {} curve{} or shape{}, not {}", command.app->get_name(), wanted,
                                  most == 1 ? "" : "s", most == 1 ? "" : "s", names.size()));
   }
-  if (std::count(names.begin(), names.end(), "-") > 1)
-    throw UsageError("standard input can be read only once");
+  check_standard_input(command);
   const tandem::LoadOptions options = to_load_options(command.common);
   std::vector<tandem::Shape> shapes;
   shapes.reserve(names.size());

@@ -18,4 +18,9 @@ void Messages::warning(std::string_view text) const {
   if (!quiet_) fmt::print(stderr, "tandem: warning: {}\n", text);
 }
 
+void Messages::note(std::string_view text) const {
+  erase_progress_bar();
+  if (!quiet_) fmt::print(stderr, "tandem: note: {}\n", text);
+}
+
 }  // namespace cli

@@ -12,6 +12,7 @@ class Messages {
   [[nodiscard]] bool quiet() const noexcept { return quiet_; }
   void error(std::string_view text) const;
   void warning(std::string_view text) const;
+  void note(std::string_view text) const;
 
  private:
   bool quiet_;

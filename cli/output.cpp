@@ -27,7 +27,8 @@ struct Ending {
   Format format;
 };
 constexpr std::array kEndings = {Ending{".json", Format::json}, Ending{".svg", Format::svg},
-                                 Ending{".html", Format::html}, Ending{".itd", Format::itd}};
+                                 Ending{".html", Format::html}, Ending{".itd", Format::itd},
+                                 Ending{".tdx", Format::index}, Ending{".jsonl", Format::json_lines}};
 constexpr std::array<std::string_view, 3> kLater = {".lottie.json", ".css", ".gif"};
 
 std::string words(const std::vector<Format>& allowed, std::string_view dot) {
@@ -123,7 +124,7 @@ Format output_format(const std::string& path, const std::string& to, const std::
     }
     throw UsageError(fmt::format("--to takes one of {}, not '{}'", words(allowed, ""), to));
   }
-  if (path == "-") return Format::json;
+  if (path == "-") return allows(allowed, Format::json) ? Format::json : allowed.back();
   std::error_code error;
   if (allows(allowed, Format::directory) && (path.back() == '/' || fs::is_directory(path, error))) {
     return Format::directory;

@@ -7,9 +7,10 @@
 
 namespace cli {
 
-enum class Format { json, svg, html, itd, directory };
+enum class Format { json, json_lines, svg, html, itd, index, directory };
 
-/// The format of an output: `to` when given, else by the ending of `path`; "-" is JSON.
+/// The format of an output: `to` when given, else by the ending of `path`; "-" is JSON, or what
+/// else the command writes.
 /// allowed: what the command can write.
 /// @throws UsageError an ending that the command does not know
 [[nodiscard]] Format output_format(const std::string& path, const std::string& to,

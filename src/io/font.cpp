@@ -5,13 +5,16 @@
 #include FT_FREETYPE_H
 #include FT_OUTLINE_H
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+#include "io/font_reader.h"
 #include "tandem/error.h"
 #include "tandem/io/files.h"
 #include "tandem/shape/path_builder.h"
@@ -160,20 +163,86 @@ std::vector<CubicPath> trace(FT_Outline& outline) {
   return pen.builder.take();
 }
 
+/// The outline as it was drawn, y up; no contours: a blank.
+Shape outline(FT_Face face, FT_UInt index, const std::string& path, const std::string& glyph) {
+  if (FT_Load_Glyph(face, index, FT_LOAD_NO_SCALE | FT_LOAD_NO_BITMAP) != 0 ||
+      face->glyph->format != FT_GLYPH_FORMAT_OUTLINE) {
+    throw ParseError(path, 0, 0, fmt::format("the glyph '{}' has no outline that can be read", glyph));
+  }
+  return to_shape(trace(face->glyph->outline));
+}
+
+std::string utf8(std::uint32_t code) {
+  const auto tail = [&](unsigned shift) { return static_cast<char>(0x80U | ((code >> shift) & 0x3FU)); };
+  if (code < 0x80) return {static_cast<char>(code)};
+  if (code < 0x800) return {static_cast<char>(0xC0U | (code >> 6U)), tail(0)};
+  if (code < 0x10000) return {static_cast<char>(0xE0U | (code >> 12U)), tail(6), tail(0)};
+  return {static_cast<char>(0xF0U | (code >> 18U)), tail(12), tail(6), tail(0)};
+}
+
 }  // namespace
 
 Shape read_glyph(const std::string& path, const std::string& glyph) {
   const std::string content = read_file(path);
   const Library library;
   const Face face(library, content, path);
-  const FT_UInt index = find_glyph(face.get(), path, glyph);
-  if (FT_Load_Glyph(face.get(), index, FT_LOAD_NO_SCALE | FT_LOAD_NO_BITMAP) != 0 ||
-      face.get()->glyph->format != FT_GLYPH_FORMAT_OUTLINE) {
-    throw ParseError(path, 0, 0, fmt::format("the glyph '{}' has no outline that can be read", glyph));
+  Shape shape = outline(face.get(), find_glyph(face.get(), path, glyph), path, glyph);
+  if (shape.contours.empty())
+    throw ParseError(path, 0, 0, fmt::format("the glyph '{}' has no outline", glyph));
+  return shape;
+}
+
+struct FontReader::Impl {
+  std::string path;
+  std::string content;
+  Library library;
+  Face face;
+  std::vector<std::uint32_t> characters;  ///< per glyph, the smallest that leads to it; 0: none
+
+  explicit Impl(const std::string& file)
+      : path(file),
+        content(read_file(file)),
+        face(library, content, file),
+        characters(static_cast<std::size_t>(face.get()->num_glyphs)) {
+    FT_UInt index = 0;
+    for (FT_ULong code = FT_Get_First_Char(face.get(), &index); index != 0;
+         code = FT_Get_Next_Char(face.get(), code, &index)) {
+      if (index < characters.size() && characters[index] == 0)
+        characters[index] = static_cast<std::uint32_t>(code);
+    }
   }
-  const std::vector<CubicPath> paths = trace(face.get()->glyph->outline);
-  if (paths.empty()) throw ParseError(path, 0, 0, fmt::format("the glyph '{}' has no outline", glyph));
-  return to_shape(paths);
+
+  /// The name in the font where that leads back to the glyph, else the character, else the index.
+  [[nodiscard]] std::string name_of(FT_UInt index) const {
+    if (FT_HAS_GLYPH_NAMES(face.get())) {
+      std::array<char, 128> name{};
+      if (FT_Get_Glyph_Name(face.get(), index, name.data(), name.size()) == 0 && name[0] != '\0' &&
+          !single_character(name.data()) && index_of_name(face.get(), name.data()) == index) {
+        return name.data();
+      }
+    }
+    const std::uint32_t code = characters[index];
+    if (code > 0x20 && code < 0x7F) return utf8(code);
+    if (code != 0) return code < 0x10000 ? fmt::format("uni{:04X}", code) : fmt::format("u{:04X}", code);
+    return fmt::format("glyph{}", index);
+  }
+};
+
+FontReader::FontReader(const std::string& path) : impl_(std::make_unique<Impl>(path)) {}
+FontReader::FontReader(FontReader&&) noexcept = default;
+FontReader& FontReader::operator=(FontReader&&) noexcept = default;
+FontReader::~FontReader() = default;
+
+std::size_t FontReader::size() const {
+  return impl_->characters.size();
+}
+
+NamedGlyph FontReader::glyph(std::size_t index) const {
+  const auto id = static_cast<FT_UInt>(index);
+  NamedGlyph glyph{impl_->name_of(id), {}, {}};
+  if (impl_->characters[index] != 0) glyph.character = utf8(impl_->characters[index]);
+  glyph.outline = outline(impl_->face.get(), id, impl_->path, glyph.name);
+  return glyph;
 }
 
 }  // namespace v0

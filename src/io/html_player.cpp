@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "io/easing.h"
+#include "io/html.h"
 #include "io/html_player_page.h"
 #include "io/number.h"
 #include "io/svg_parts.h"
@@ -13,43 +14,6 @@
 namespace tandem {
 inline namespace v0 {
 namespace {
-
-std::string escape_html(std::string_view text) {
-  std::string escaped;
-  for (char c : text) {
-    switch (c) {
-      case '&':
-        escaped += "&amp;";
-        break;
-      case '<':
-        escaped += "&lt;";
-        break;
-      case '>':
-        escaped += "&gt;";
-        break;
-      case '"':
-        escaped += "&quot;";
-        break;
-      case '\'':
-        escaped += "&#39;";
-        break;
-      default:
-        escaped += c;
-    }
-  }
-  return escaped;
-}
-
-std::string replace_all(std::string_view text, std::string_view what, std::string_view by) {
-  std::string result;
-  for (std::size_t at = 0;;) {
-    const std::size_t next = text.find(what, at);
-    result += text.substr(at, next - at);
-    if (next == std::string_view::npos) return result;
-    result += by;
-    at = next + what.size();
-  }
-}
 
 // M's point, then one point for every L and three for every C: as the page's script reads them.
 std::string numbers(const CubicPath& path, const std::vector<bool>& lines, int precision) {

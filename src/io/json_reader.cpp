@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "io/json_curves.h"
 #include "io/json_value.h"
 #include "io/limits.h"
 #include "io/text_position.h"
@@ -204,7 +205,10 @@ class CurveReader {
 
 std::vector<Curve> parse_json_curves(std::string_view text, const std::string& source) {
   text = without_bom(text);
-  const JsonValue root = parse_json(text, source);
+  return read_json_curves(parse_json(text, source), text, source);
+}
+
+std::vector<Curve> read_json_curves(const JsonValue& root, std::string_view text, const std::string& source) {
   const JsonValue* list = root.array() != nullptr ? &root : root.member("curves");
   std::vector<Curve> curves;
   if (list == nullptr) {

@@ -1,16 +1,18 @@
 #include "tandem/io/load.h"
 
 #include <fmt/format.h>
-#include <sys/stat.h>
 
 #include <algorithm>
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <sstream>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "io/file_format.h"
+#include "io/json_lines.h"
 #include "io/scan_number.h"
 #include "io/svg_reader.h"
 #include "io/text_position.h"
@@ -27,50 +29,6 @@
 namespace tandem {
 inline namespace v0 {
 namespace {
-
-enum class Format { svg, font, json, itd, csv, path_data, cad, compressed, unknown };
-
-struct Extension {
-  std::string_view name;
-  Format format;
-};
-
-constexpr std::array<Extension, 19> kExtensions = {{{"svg", Format::svg},
-                                                    {"ttf", Format::font},
-                                                    {"otf", Format::font},
-                                                    {"ttc", Format::font},
-                                                    {"otc", Format::font},
-                                                    {"woff", Format::font},
-                                                    {"woff2", Format::font},
-                                                    {"pfb", Format::font},
-                                                    {"pfa", Format::font},
-                                                    {"json", Format::json},
-                                                    {"itd", Format::itd},
-                                                    {"csv", Format::csv},
-                                                    {"tsv", Format::csv},
-                                                    {"step", Format::cad},
-                                                    {"stp", Format::cad},
-                                                    {"iges", Format::cad},
-                                                    {"igs", Format::cad},
-                                                    {"brep", Format::cad},
-                                                    {"svgz", Format::compressed}}};
-
-bool exists(const std::string& path) {
-  struct stat status {};
-  return !path.empty() && ::stat(path.c_str(), &status) == 0;
-}
-
-Format format_of_extension(std::string_view path) {
-  const std::size_t slash = path.find_last_of('/');
-  if (slash != std::string_view::npos) path.remove_prefix(slash + 1);
-  const std::size_t dot = path.find_last_of('.');
-  if (dot == std::string_view::npos) return Format::unknown;
-  std::string extension(path.substr(dot + 1));
-  for (char& c : extension) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  const auto found = std::find_if(kExtensions.begin(), kExtensions.end(),
-                                  [&](const Extension& candidate) { return candidate.name == extension; });
-  return found == kExtensions.end() ? Format::unknown : found->format;
-}
 
 bool is_separator(char c) {
   return c == ' ' || c == '\t' || c == '\n' || c == '\r' || c == '\f' || c == ',';
@@ -101,41 +59,24 @@ bool is_font(std::string_view text) {
 }
 
 /// Told by how a text starts: standard input and files of no known extension.
-Format format_of_content(std::string_view text) {
-  if (is_font(text)) return Format::font;
-  if (text.substr(0, 2) == "\x1F\x8B") return Format::compressed;
+FileFormat format_of_content(std::string_view text) {
+  if (is_font(text)) return FileFormat::font;
+  if (text.substr(0, 2) == "\x1F\x8B") return FileFormat::compressed;
   text = without_leading_separators(without_bom(text));
-  if (text.empty()) return Format::unknown;
+  if (text.empty()) return FileFormat::unknown;
   const char first = text.front();
-  if (first == '<') return Format::svg;
-  if (first == '{') return Format::json;
+  if (first == '<') return FileFormat::svg;
+  if (first == '{') return FileFormat::json;
   if (first == '[') {
     // "[OBJECT" or "[1": a list of IRIT's, or a JSON array.
     const std::string_view inside = without_leading_separators(text.substr(1));
     const bool word = !inside.empty() && inside.front() >= 'A' && inside.front() <= 'Z';
-    return word ? Format::itd : Format::json;
+    return word ? FileFormat::itd : FileFormat::json;
   }
-  if (is_path_data(text)) return Format::path_data;
-  if (text.find("[OBJECT") != std::string_view::npos) return Format::itd;
-  if (is_digit(first) || first == '-' || first == '+' || first == '.' || first == '#') return Format::csv;
-  return Format::unknown;
-}
-
-/// A file and what is wanted of it.
-struct Name {
-  std::string path;
-  std::optional<std::string> part;
-};
-
-/// An existing file wins; of the ways to cut FILE#PART the one with the longest existing file.
-std::optional<Name> existing_file(const std::string& name) {
-  if (exists(name)) return Name{name, std::nullopt};
-  for (std::size_t mark = name.rfind('#'); mark != std::string::npos && mark > 0;
-       mark = name.rfind('#', mark - 1)) {
-    std::string path = name.substr(0, mark);
-    if (mark + 1 < name.size() && exists(path)) return Name{std::move(path), name.substr(mark + 1)};
-  }
-  return std::nullopt;
+  if (is_path_data(text)) return FileFormat::path_data;
+  if (text.find("[OBJECT") != std::string_view::npos) return FileFormat::itd;
+  if (is_digit(first) || first == '-' || first == '+' || first == '.' || first == '#') return FileFormat::csv;
+  return FileFormat::unknown;
 }
 
 std::optional<std::size_t> index_of(const std::string& part) {
@@ -151,7 +92,7 @@ std::optional<std::size_t> index_of(const std::string& part) {
 }
 
 /// Curves of one file as the contours of one shape.
-Shape shape_of(std::vector<Curve> curves, const Name& name) {
+Shape shape_of(std::vector<Curve> curves, const FilePart& name) {
   Shape shape;
   if (name.part) {
     const std::optional<std::size_t> index = index_of(*name.part);
@@ -175,7 +116,7 @@ Shape shape_of(std::vector<Curve> curves, const Name& name) {
 }
 
 /// FILE.svg#ID, or FILE.svg#3 when no element has that id.
-Shape svg_shape(std::string_view text, const Name& name) {
+Shape svg_shape(std::string_view text, const FilePart& name) {
   if (!name.part) return merge(parse_svg(text, name.path));
   const std::optional<std::size_t> index = index_of(*name.part);
   if (!index) return merge(parse_svg_part(text, *name.part, name.path));
@@ -191,7 +132,7 @@ Shape svg_shape(std::string_view text, const Name& name) {
 }
 
 /// Fonts have y up, everything else that is planar has y down.
-Shape glyph_shape(const Name& name) {
+Shape glyph_shape(const FilePart& name) {
   if (!name.part) fail(name.path, "is a font, expected a glyph of it: FONT.ttf#A");
   Shape shape = read_glyph(name.path, *name.part);
   for (Curve& contour : shape.contours) contour = transform(contour, Transform::scale(1.0, -1.0));
@@ -204,53 +145,71 @@ Shape path_data_shape(std::string_view text, const std::string& source, const Lo
   return shape;
 }
 
-[[noreturn]] void fail_part(const Name& name, std::string_view kind) {
+/// FILE.jsonl#3: the 4th line that is not blank.
+Shape json_line_shape(std::string_view text, const FilePart& name) {
+  const std::optional<std::size_t> index = name.part ? index_of(*name.part) : std::nullopt;
+  if (!index) fail(name.path, "holds a shape per line, expected one of them: FILE.jsonl#0");
+  std::istringstream in{std::string(text)};
+  JsonLines lines(in);
+  std::size_t count = 0;
+  while (const std::optional<JsonLine> line = lines.next()) {
+    if (count++ == *index) return parse_json_line(*line, name.path).shape;
+  }
+  fail(name.path, fmt::format("there is no line #{}; it has {} (#0 to #{})", *index, count, count - 1));
+}
+
+[[noreturn]] void fail_part(const FilePart& name, std::string_view kind) {
   fail(name.path, fmt::format("is {}, which has no parts; '#{}' names none", kind, *name.part));
 }
 
-Shape parse(std::string_view text, Format format, const Name& name, const LoadOptions& options) {
+Shape parse(std::string_view text, FileFormat format, const FilePart& name, const LoadOptions& options) {
   switch (format) {
-    case Format::svg:
+    case FileFormat::svg:
       return svg_shape(text, name);
-    case Format::json:
+    case FileFormat::json:
       return shape_of(parse_json_curves(text, name.path), name);
-    case Format::itd:
+    case FileFormat::itd:
       return shape_of(parse_itd(text, name.path), name);
-    case Format::csv:
+    case FileFormat::csv:
       if (name.part) fail_part(name, "a table");
       return shape_of({parse_csv(text, name.path)}, name);
-    case Format::path_data:
+    case FileFormat::path_data:
       if (name.part) fail_part(name, "path data");
       return path_data_shape(text, name.path, options);
-    case Format::compressed:
+    case FileFormat::compressed:
       fail(name.path, "is compressed, expected plain text (gunzip it first)");
-    case Format::cad:
+    case FileFormat::cad:
       throw InvalidArgument(
           fmt::format("{}: this program was built without the CAD component, which reads STEP, IGES and BREP",
                       name.path));
-    case Format::font:
-    case Format::unknown:
+    case FileFormat::json_lines:
+      return json_line_shape(text, name);
+    case FileFormat::index:
+      throw InvalidArgument(
+          fmt::format("{}: is an index, which has no curves; only rank takes it", name.path));
+    case FileFormat::font:
+    case FileFormat::unknown:
       break;
   }
   if (text.empty()) fail(name.path, "is empty");
   fail(name.path, "is of no known kind: expected SVG, JSON, ITD, CSV, path data or a font");
 }
 
-Shape load_file(const Name& name, const LoadOptions& options) {
-  const Format by_name = format_of_extension(name.path);
-  if (by_name == Format::font) return glyph_shape(name);
-  if (by_name == Format::cad) return parse({}, by_name, name, options);
+Shape load_file(const FilePart& name, const LoadOptions& options) {
+  const FileFormat by_name = format_of_extension(name.path);
+  if (by_name == FileFormat::font) return glyph_shape(name);
+  if (by_name == FileFormat::cad) return parse({}, by_name, name, options);
   const std::string text = read_file(name.path);
   if (text.empty()) fail(name.path, "is empty");
-  const Format format = by_name == Format::unknown ? format_of_content(text) : by_name;
-  if (format == Format::font) return glyph_shape(name);
+  const FileFormat format = by_name == FileFormat::unknown ? format_of_content(text) : by_name;
+  if (format == FileFormat::font) return glyph_shape(name);
   return parse(text, format, name, options);
 }
 
 /// Whether someone who writes this means a file.
 bool looks_like_a_file(const std::string& name) {
   const std::string path = name.substr(0, name.find('#'));
-  return format_of_extension(path) != Format::unknown;
+  return format_of_extension(path) != FileFormat::unknown;
 }
 
 }  // namespace
@@ -258,11 +217,11 @@ bool looks_like_a_file(const std::string& name) {
 Shape load_shape(const std::string& name, const LoadOptions& options) {
   if (name == "-" || name.rfind("-#", 0) == 0) {
     const std::string text = read_file("-");
-    Name input{"standard input", std::nullopt};
+    FilePart input{"standard input", std::nullopt};
     if (name.size() > 2) input.part = name.substr(2);
     return parse(text, format_of_content(text), input, options);
   }
-  if (const std::optional<Name> file = existing_file(name)) return load_file(*file, options);
+  if (const std::optional<FilePart> file = existing_file(name)) return load_file(*file, options);
   if (looks_like_a_file(name)) throw IoError(fmt::format("cannot read {}: there is no such file", name));
   if (is_path_data(name)) return path_data_shape(name, "path data", options);
   if (name.find('/') != std::string::npos || name.find('#') != std::string::npos) {

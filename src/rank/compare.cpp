@@ -10,6 +10,7 @@
 #include "match/nearest_rotation.h"
 #include "match/rotation_candidates.h"
 #include "rank/pair_cost.h"
+#include "rank/tangent_planes.h"
 #include "rank/variant.h"
 #include "tandem/error.h"
 
@@ -41,10 +42,8 @@ struct Best {
 /// One query variant after the other against one candidate.
 class Search {
  public:
-  Search(const ShapeDescriptor& candidate, const CompareOptions& options, bool turns)
-      : candidate_(candidate), options_(options), turns_(turns) {
-    if (turns_) own_ = detail::make_variant(candidate, false, false, options);
-  }
+  Search(const ShapeDescriptor& candidate, const Variant& own, const CompareOptions& options, bool turns)
+      : candidate_(candidate), own_(own), options_(options), turns_(turns) {}
 
   /// Every turn to begin with; `limit` of those that are not improved afterwards.
   void begin(const Variant& variant, double limit) {
@@ -52,10 +51,11 @@ class Search {
       attempt(variant, Rotation(candidate_.dim()), std::min(limit, best_.cost));
       return;
     }
-    for (const detail::RotationCandidate& turn : detail::rotation_candidates(
-             variant.stretches, own_.stretches, candidate_.dim(), candidate_.is_closed(), kTurns)) {
-      attempt(variant, turn.rotation, best_.cost);
-    }
+    const std::vector<detail::RotationCandidate> turns = detail::rotation_candidates(
+        variant.stretches, own_.stretches, candidate_.dim(), candidate_.is_closed(), kTurns);
+    for (const detail::RotationCandidate& turn : turns) attempt(variant, turn.rotation, best_.cost);
+    // Tangents that cancel out favour no turn.
+    if (turns.empty()) attempt(variant, Rotation(candidate_.dim()), best_.cost);
   }
 
   /// Turns the best path's tangents onto one another and matches again, until that brings no more.
@@ -63,11 +63,11 @@ class Search {
     for (int round = 0; round < kRounds && turns_ && best_.variant != nullptr; ++round) {
       const double before = best_.cost;
       const Variant& variant = *best_.variant;
-      const Points turned = best_.rotation(variant.tangents);
-      const std::vector<double> sum = detail::covariance({turned, variant.lengths}, candidate_chords(),
-                                                         candidate_.is_closed(), options_, best_.fit);
+      const detail::TangentPlanes query = detail::turned(variant.tangents, best_.rotation);
+      const std::vector<double> sum =
+          detail::covariance({query, variant.lengths}, chords(), options_, best_.fit);
       const Rotation further = detail::nearest_rotation(sum, candidate_.dim()).rotation;
-      attempt(variant, product(further, best_.rotation), before);
+      attempt(variant, detail::product(further, best_.rotation), before);
       if (!(best_.cost < before * (1.0 - kWorthARound))) return;
     }
   }
@@ -75,38 +75,21 @@ class Search {
   [[nodiscard]] const Best& best() const { return best_; }
 
  private:
-  [[nodiscard]] Chords candidate_chords() const { return {candidate_.tangents(), candidate_.lengths()}; }
-
-  /// The turn `first`, then `second`.
-  [[nodiscard]] static Rotation product(const Rotation& second, const Rotation& first) {
-    const std::vector<double>& x = second.values();
-    const std::vector<double>& y = first.values();
-    const auto n = static_cast<std::size_t>(first.dim());
-    if (n == 2) {
-      const double values[] = {x[0] * y[0] - x[1] * y[1], x[1] * y[0] + x[0] * y[1]};
-      return {2, values};
-    }
-    std::vector<double> values(n * n, 0.0);
-    for (std::size_t r = 0; r < n; ++r) {
-      for (std::size_t c = 0; c < n; ++c) {
-        for (std::size_t k = 0; k < n; ++k) values[r * n + c] += x[r * n + k] * y[k * n + c];
-      }
-    }
-    return {first.dim(), values};
-  }
+  [[nodiscard]] Chords chords() const { return {own_.tangents, own_.lengths}; }
 
   void attempt(const Variant& variant, const Rotation& rotation, double limit) {
-    const Points turned = turns_ ? rotation(variant.tangents) : variant.tangents;
-    std::optional<Fit> fit = detail::fit_pair({turned, variant.lengths}, candidate_chords(),
-                                              candidate_.is_closed(), options_, limit);
+    const detail::TangentPlanes query =
+        turns_ ? detail::turned(variant.tangents, rotation) : variant.tangents;
+    std::optional<Fit> fit =
+        detail::fit_pair({query, variant.lengths}, chords(), candidate_.is_closed(), options_, limit);
     if (!fit || !(fit->cost < best_.cost)) return;
     best_ = {fit->cost, &variant, rotation, *std::move(fit)};
   }
 
   const ShapeDescriptor& candidate_;
+  const Variant& own_;
   const CompareOptions& options_;
   bool turns_;
-  Variant own_;
   Best best_;
 };
 
@@ -124,14 +107,12 @@ struct ShapeComparer::Impl {
     return !(query.is_oriented() && candidate.is_oriented()) || variant.mirrored == variant.reversed;
   }
 
-  [[nodiscard]] bool is_hopeless(const ShapeDescriptor& candidate, double limit) const {
+  /// Certain to cost more, before anything is matched.
+  [[nodiscard]] bool is_hopeless(const ShapeDescriptor& candidate, const Variant& own, double limit) const {
     if (candidate.dim() != 2 || limit == kInfinity) return false;
-    const bool by_length = options.cost == RankCost::elastic;
-    const detail::DirectionBound own(
-        candidate.tangents(), by_length ? candidate.lengths() : std::vector<double>(candidate.size(), 1.0));
     return std::all_of(variants.begin(), variants.end(), [&](const Variant& variant) {
       return !applies(variant, candidate) ||
-             detail::DirectionBound::lower_bound(variant.bound, own, options) > limit;
+             detail::DirectionBound::lower_bound(variant.bound, own.bound, options) > limit;
     });
   }
 };
@@ -173,19 +154,21 @@ std::optional<Comparison> ShapeComparer::compare(const ShapeDescriptor& candidat
     throw InvalidArgument(
         fmt::format("{} cannot be compared with {}", words(impl_->query), words(candidate)));
   }
-  if (impl_->is_hopeless(candidate, limit)) return std::nullopt;
-  Search search(candidate, impl_->options, impl_->turns);
+  const Variant own = detail::make_variant(candidate, false, false, impl_->options);
+  if (impl_->is_hopeless(candidate, own, limit)) return std::nullopt;
+  Search search(candidate, own, impl_->options, impl_->turns);
   for (const Variant& variant : impl_->variants) {
     if (impl_->applies(variant, candidate)) search.begin(variant, limit);
   }
   search.improve();
   const Best& best = search.best();
-  if (best.variant == nullptr || best.cost > limit) {
+  if (best.variant == nullptr || best.fit.path.empty() || best.cost > limit) {
     // No turn at all fits (tangents that cancel out), or no elastic path spans the numbers of nodes.
     if (limit < kInfinity) return std::nullopt;
     return Comparison{.cost = best.cost, .rotation = Rotation(candidate.dim())};
   }
-  return Comparison{best.cost, best.rotation, best.variant->mirrored, best.variant->reversed, best.fit.shift};
+  return Comparison{best.cost, best.rotation, best.variant->mirrored, best.variant->reversed,
+                    best.fit.path.front().i};
 }
 
 Comparison compare(const ShapeDescriptor& query, const ShapeDescriptor& candidate,

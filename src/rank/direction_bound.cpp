@@ -63,7 +63,7 @@ double least_cost(double distance, double slack) {
 
 }  // namespace
 
-DirectionBound::DirectionBound(const Points& tangents, std::span<const double> weights)
+DirectionBound::DirectionBound(const TangentPlanes& tangents, std::span<const double> weights)
     : nodes_(static_cast<double>(tangents.size())) {
   static_assert(kBins == kBinCount);
   // Costs by distance in half bins: an unknown turn puts the directions half way between two bins.
@@ -79,7 +79,7 @@ DirectionBound::DirectionBound(const Points& tangents, std::span<const double> w
     return table;
   }();
   for (std::size_t i = 0; i < tangents.size(); ++i)
-    weight_[bin_of(tangents[i][0], tangents[i][1])] += weights[i];
+    weight_[bin_of(tangents.planes[0][i], tangents.planes[1][i])] += weights[i];
   // Distance to the nearest bin that is not empty, by two sweeps round the circle.
   std::array<std::size_t, kBins> distance{};
   distance.fill(kBins);

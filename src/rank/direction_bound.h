@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <span>
 
-#include "tandem/curve/points.h"
+#include "match/fixed_costs.h"
 #include "tandem/rank/compare.h"
 
 namespace tandem {
@@ -27,8 +27,8 @@ namespace detail {
 class DirectionBound {
  public:
   DirectionBound() = default;
-  /// tangents: 2 x m; weights: of the nodes in the sum, m.
-  DirectionBound(const Points& tangents, std::span<const double> weights);
+  /// tangents: planar, m; weights: of the nodes in the sum, m.
+  DirectionBound(const TangentPlanes& tangents, std::span<const double> weights);
 
   /// No comparison of a with b under these options (mirrored and reversed already) costs less, per unit of
   /// path.

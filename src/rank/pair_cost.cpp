@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <utility>
 
-#include "match/vector.h"
+#include "rank/programme.h"
 #include "tandem/match/elastic.h"
 #include "tandem/match/programme.h"
 #include "tandem/match/samples.h"
@@ -15,9 +16,9 @@ namespace detail {
 
 namespace {
 
-StepRule rule_of(const CompareOptions& options) {
+StepCharges charges_of(const CompareOptions& options) {
   if (options.cost == RankCost::paper) return {};
-  return {.diagonal_weight = 2.0, .charge = options.charge};
+  return {.double_diagonal = true, .charge = options.charge};
 }
 
 /// What the sum over a path is divided by: the symmetric rule's weights add up to m1 + m2 on every path.
@@ -26,12 +27,17 @@ double unit_of(const Chords& a, const Chords& b, const CompareOptions& options) 
   return options.cost == RankCost::paper ? 0.5 * nodes : nodes;
 }
 
-/// 1 - <T1,T2>; tangents rounded to float could make it negative.
-CostTable tangent_costs(const Points& a, const Points& b) {
-  CostTable table{a.size(), b.size(), std::vector<double>(a.size() * b.size())};
-  double* cost = table.cost.data();
+/// Recognition wants the least cost, not the least invalid match: no node is invalid.
+NodeTable tangent_costs(const TangentPlanes& a, const TangentPlanes& b) {
+  NodeTable table{a.size(), b.size(), std::vector<double>(a.size() * b.size(), 1.0),
+                  std::vector<std::uint8_t>(a.size() * b.size())};
   for (std::size_t i = 0; i < a.size(); ++i) {
-    for (std::size_t j = 0; j < b.size(); ++j) *cost++ = std::max(0.0, 1.0 - dot(a[i], b[j]));
+    double* row = table.cost.data() + table.index(i, 0);
+    for (std::size_t c = 0; c < a.planes.size(); ++c) {
+      for (std::size_t j = 0; j < b.size(); ++j) row[j] -= a.planes[c][i] * b.planes[c][j];
+    }
+    // Tangents rounded to float could make a cost negative.
+    for (std::size_t j = 0; j < b.size(); ++j) row[j] = std::max(0.0, row[j]);
   }
   return table;
 }
@@ -40,23 +46,40 @@ Samples to_samples(const Chords& chords, bool closed) {
   Samples s;
   s.cyclic = closed;
   s.parameters.resize(chords.lengths.size() + (closed ? 0 : 1));
-  s.chord_tangents = chords.tangents;
   s.chord_lengths = chords.lengths;
   return s;
 }
 
 std::optional<Fit> fit_elastic(const Chords& a, const Chords& b, bool closed, double limit) {
-  const CostTable costs = tangent_costs(a.tangents, b.tangents);
-  // Recognition wants the least cost, not the least invalid match: no node is invalid.
-  const NodeTable table{costs.rows, costs.cols, costs.cost, std::vector<std::uint8_t>(costs.cost.size())};
+  const NodeTable table = tangent_costs(a.tangents, b.tangents);
   const EdgeTable edges = edge_costs(to_samples(a, closed), to_samples(b, closed), table);
   Path path = closed ? closed_path(edges) : open_path(edges);
-  // Numbers of nodes that differ by more than the longest step: no path at all.
   if (path.nodes.empty()) path.cost = std::numeric_limits<double>::infinity();
   if (!(path.cost <= limit)) return std::nullopt;
-  const int shift = path.nodes.empty() ? 0 : path.nodes.front().i;
-  return Fit{path.cost, shift, std::move(path.nodes)};
+  return Fit{path.cost, std::move(path.nodes)};
 }
+
+/// The sum of weight * y x^T.
+class Covariance {
+ public:
+  Covariance(const Chords& a, const Chords& b)
+      : a_(a.tangents), b_(b.tangents), sum_(a_.planes.size() * a_.planes.size(), 0.0) {}
+
+  void add(int i, int j, double weight) {
+    const std::size_t x = static_cast<std::size_t>(i) % a_.size();
+    const std::size_t y = static_cast<std::size_t>(j) % b_.size();
+    const std::size_t dim = a_.planes.size();
+    for (std::size_t r = 0; r < dim; ++r) {
+      for (std::size_t c = 0; c < dim; ++c) sum_[r * dim + c] += weight * b_.planes[r][y] * a_.planes[c][x];
+    }
+  }
+  [[nodiscard]] std::vector<double> sum() && { return std::move(sum_); }
+
+ private:
+  const TangentPlanes& a_;
+  const TangentPlanes& b_;
+  std::vector<double> sum_;
+};
 
 }  // namespace
 
@@ -64,48 +87,35 @@ std::optional<Fit> fit_pair(const Chords& a, const Chords& b, bool closed, const
                             double limit) {
   if (options.cost == RankCost::elastic) return fit_elastic(a, b, closed, limit);
   const double unit = unit_of(a, b, options);
-  const Optimum best = optimum(tangent_costs(a.tangents, b.tangents), closed, rule_of(options), limit * unit);
-  if (best.start < 0 || !(best.sum / unit <= limit)) return std::nullopt;
-  return Fit{best.sum / unit, best.start, {}};
+  // A little above the limit, since division rounds; then exactly.
+  constexpr double kAbove = 1.0 + 1e-12;
+  std::optional<PricedPath> path =
+      cheapest_path(a.tangents, b.tangents, closed, charges_of(options), limit * unit * kAbove);
+  if (!path || path->sum / unit > limit) return std::nullopt;
+  return Fit{path->sum / unit, std::move(path->nodes)};
 }
 
-std::vector<double> covariance(const Chords& a, const Chords& b, bool closed, const CompareOptions& options,
+std::vector<double> covariance(const Chords& a, const Chords& b, const CompareOptions& options,
                                const Fit& fit) {
-  const auto dim = static_cast<std::size_t>(a.tangents.dim());
-  std::vector<double> sum(dim * dim, 0.0);
-  const std::size_t m1 = a.lengths.size();
-  const std::size_t m2 = b.lengths.size();
-  const auto add = [&](std::size_t i, std::size_t j, double weight) {
-    const auto x = a.tangents[i % m1];
-    const auto y = b.tangents[j % m2];
-    for (std::size_t r = 0; r < dim; ++r) {
-      for (std::size_t c = 0; c < dim; ++c) sum[r * dim + c] += weight * y[r] * x[c];
+  Covariance covariance(a, b);
+  const double diagonal = options.cost == RankCost::symmetric ? 2.0 : 1.0;
+  for (std::size_t k = 1; k < fit.path.size(); ++k) {
+    const Node from = fit.path[k - 1];
+    const Node to = fit.path[k];
+    if (options.cost != RankCost::elastic) {
+      covariance.add(to.i, to.j, from.i != to.i && from.j != to.j ? diagonal : 1.0);
+      continue;
     }
-  };
-  if (options.cost == RankCost::elastic) {
-    for (std::size_t k = 1; k < fit.path.size(); ++k) {
-      const Node from = fit.path[k - 1];
-      const Node to = fit.path[k];
-      for (int i = from.i; i < to.i; ++i) {
-        for (int j = from.j; j < to.j; ++j) {
-          const auto row = static_cast<std::size_t>(i) % m1;
-          const auto column = static_cast<std::size_t>(j) % m2;
-          // Lengths of an edge's chords multiply where the integral would cut them: near enough for a turn.
-          add(row, column, a.lengths[row] * b.lengths[column]);
-        }
+    for (int i = from.i; i < to.i; ++i) {
+      for (int j = from.j; j < to.j; ++j) {
+        // An edge's chords are multiplied where the integral cuts them: near enough for a turn.
+        covariance.add(i, j,
+                       a.lengths[static_cast<std::size_t>(i) % a.lengths.size()] *
+                           b.lengths[static_cast<std::size_t>(j) % b.lengths.size()]);
       }
     }
-    return sum;
   }
-  const StepRule rule = rule_of(options);
-  const std::vector<Node> path = trace(tangent_costs(a.tangents, b.tangents), closed, rule, fit.shift);
-  for (std::size_t k = 0; k < path.size(); ++k) {
-    if (k == 0 && closed) continue;
-    const bool diagonal = k == 0 || (path[k].i != path[k - 1].i && path[k].j != path[k - 1].j);
-    add(static_cast<std::size_t>(path[k].i), static_cast<std::size_t>(path[k].j),
-        diagonal ? rule.diagonal_weight : 1.0);
-  }
-  return sum;
+  return std::move(covariance).sum();
 }
 
 }  // namespace detail

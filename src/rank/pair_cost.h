@@ -1,11 +1,10 @@
 #pragma once
 
 #include <optional>
-#include <span>
 #include <vector>
 
-#include "rank/programme.h"
-#include "tandem/curve/points.h"
+#include "match/fixed_costs.h"
+#include "tandem/match/cost_table.h"
 #include "tandem/rank/compare.h"
 
 namespace tandem {
@@ -14,15 +13,14 @@ namespace detail {
 
 /// One side of a comparison as the programmes see it.
 struct Chords {
-  const Points& tangents;
+  const TangentPlanes& tangents;
   const std::vector<double>& lengths;
 };
 
 /// The optimal path between two rows of chords at a fixed turn, and its cost per unit of path.
 struct Fit {
   double cost = 0.0;
-  int shift = 0;
-  std::vector<Node> path;  ///< empty until asked for (three steps)
+  std::vector<Node> path;  ///< empty: the elastic steps cannot bridge the numbers of nodes, cost is infinite
 };
 
 /// Nothing when the cost is above `limit`. The result does not depend on the limit otherwise.
@@ -31,8 +29,8 @@ struct Fit {
 
 /// The sum of y x^T over the pairs x, y of tangents that the fit brings together, weighted as the cost
 /// weights them: row-major dim x dim, as nearest_rotation() takes it.
-[[nodiscard]] std::vector<double> covariance(const Chords& a, const Chords& b, bool closed,
-                                             const CompareOptions& options, const Fit& fit);
+[[nodiscard]] std::vector<double> covariance(const Chords& a, const Chords& b, const CompareOptions& options,
+                                             const Fit& fit);
 
 }  // namespace detail
 }  // namespace v0

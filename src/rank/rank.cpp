@@ -67,7 +67,9 @@ Ranking rank(const ShapeDescriptor& query, const CandidateSource& source, const 
     if (!comparer.is_comparable(*each.shape)) return;
     std::optional<Comparison> comparison = comparer.compare(*each.shape, list.limit());
     if (comparison) {
-      list.add({each.candidate.name, each.shape->label(), index, *std::move(comparison)});
+      const std::string& name = each.shape->name();
+      list.add({name.empty() ? each.candidate.name : name, each.shape->label(), index, *std::move(comparison),
+                options.keep_shapes ? each.shape : std::nullopt});
     } else {
       ++pruned;
     }
@@ -91,7 +93,7 @@ Ranking rank(const ShapeDescriptor& query, std::span<const ShapeDescriptor> cand
   const CandidateSource source = [&]() -> std::optional<Candidate> {
     if (next == candidates.size()) return std::nullopt;
     const ShapeDescriptor& shape = candidates[next++];
-    return Candidate{shape.name(), [&shape] { return shape; }};
+    return Candidate{shape.name(), [&shape] { return shape; }, true};
   };
   return rank(query, source, own);
 }

@@ -92,9 +92,9 @@ ShapeDescriptor::ShapeDescriptor(bool closed, Points tangents, std::vector<doubl
   const double scale = std::fabs(total - 1.0) <= 1e-6 * static_cast<double>(size()) ? 1.0 : total;
   for (double& length : lengths_) length = to_float(std::max(length / scale, 1e-30));
   if (!closed_ || dim() != 2) return;
-  const double area = roundness(tangents_, lengths_);
-  oriented_ = std::fabs(area) >= kLeastRoundness;
-  if (oriented_ && area < 0.0) reverse(tangents_, lengths_);
+  if (roundness(tangents_, lengths_) <= -kLeastRoundness) reverse(tangents_, lengths_);
+  // Asked again, since the sum of the reversed terms may be rounded to the other side of the limit.
+  oriented_ = roundness(tangents_, lengths_) >= kLeastRoundness;
 }
 
 ShapeDescriptor describe(const Curve& curve, const DescribeOptions& options) {

@@ -2,8 +2,8 @@
 
 #include <vector>
 
+#include "match/fixed_costs.h"
 #include "rank/direction_bound.h"
-#include "tandem/curve/points.h"
 #include "tandem/rank/compare.h"
 
 namespace tandem {
@@ -14,7 +14,7 @@ namespace detail {
 struct Variant {
   bool mirrored = false;
   bool reversed = false;
-  Points tangents;              ///< dim x m
+  TangentPlanes tangents;       ///< m
   std::vector<double> lengths;  ///< m, sum 1
   /// Mean tangents over equally long stretches, coordinate by coordinate: dim planes of kStretches each.
   std::vector<double> stretches;
@@ -23,6 +23,10 @@ struct Variant {
 
 /// Enough to tell turns apart; they are improved afterwards.
 inline constexpr int kStretches = 64;
+
+/// The weights of the nodes in the sums that the bound is about.
+[[nodiscard]] std::vector<double> node_weights(const std::vector<double>& lengths,
+                                               const CompareOptions& options);
 
 [[nodiscard]] Variant make_variant(const ShapeDescriptor& shape, bool mirrored, bool reversed,
                                    const CompareOptions& options);

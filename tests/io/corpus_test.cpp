@@ -13,6 +13,7 @@
 #include "tandem/io/json.h"
 #include "tandem/io/path_data.h"
 #include "tandem/io/svg.h"
+#include "tandem/io/tdx.h"
 
 // The fuzzers' corpora, crashes of the past among them, through the readers in every ordinary build.
 
@@ -28,6 +29,7 @@ struct Corpus {
 const Corpus kCorpora[] = {
     {"path_data", [](const std::string& text) { (void)tandem::parse_path_data(text); }},
     {"svg", [](const std::string& text) { (void)tandem::parse_svg(text); }},
+    {"tdx", [](const std::string& text) { (void)tandem::parse_tdx(text); }},
     {"json", [](const std::string& text) { (void)tandem::parse_json_curves(text); }},
     {"itd", [](const std::string& text) { (void)tandem::parse_itd(text); }},
     {"csv", [](const std::string& text) { (void)tandem::parse_csv(text); }},

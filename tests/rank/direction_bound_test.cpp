@@ -7,6 +7,7 @@
 
 #include "rank/pair_cost.h"
 #include "rank/shapes.h"
+#include "rank/tangent_planes.h"
 #include "rank/variant.h"
 
 namespace {
@@ -33,9 +34,9 @@ TEST(DirectionBound, IsNeverAboveTheCost) {
       const double bound = DirectionBound::lower_bound(a.bound, b.bound, options);
       const double angle = options.rotate ? uniform(random, 0.0, 6.3) : 0.0;
       const double turn[] = {std::cos(angle), std::sin(angle)};
-      const tandem::Points turned = Rotation(2, turn)(a.tangents);
+      const tandem::detail::TangentPlanes query = tandem::detail::turned(a.tangents, Rotation(2, turn));
       const auto fit =
-          tandem::detail::fit_pair({turned, a.lengths}, {b.tangents, b.lengths}, true, options, 10.0);
+          tandem::detail::fit_pair({query, a.lengths}, {b.tangents, b.lengths}, true, options, 10.0);
       ASSERT_TRUE(fit);
       EXPECT_LE(bound, fit->cost);
       if (!options.rotate && fit->cost > 0.05) closest = std::min(closest, 1.0 - bound / fit->cost);
@@ -57,8 +58,10 @@ TEST(DirectionBound, DoesNotDependOnACommonTurn) {
     const double angle = 6.283185307179586 * k / 128.0;
     const double turn[] = {std::cos(angle), std::sin(angle)};
     const Rotation rotation(2, turn);
-    const DirectionBound turned_a(rotation(a.tangents), std::span(ones).first(a.tangents.size()));
-    const DirectionBound turned_b(rotation(b.tangents), std::span(ones).first(b.tangents.size()));
+    const DirectionBound turned_a(tandem::detail::turned(a.tangents, rotation),
+                                  std::span(ones).first(a.tangents.size()));
+    const DirectionBound turned_b(tandem::detail::turned(b.tangents, rotation),
+                                  std::span(ones).first(b.tangents.size()));
     EXPECT_NEAR(DirectionBound::lower_bound(turned_a, turned_b, options), bound, 1e-12) << k;
   }
 }

@@ -20,13 +20,14 @@ inline namespace v0 {
 struct Candidate {
   std::string name;
   std::function<ShapeDescriptor()> describe;
+  bool required = false;  ///< what describe() throws ends the run
 };
 
 /// Hands out one candidate after the other; nothing: the end. Called from one thread.
 using CandidateSource = std::function<std::optional<Candidate>()>;
 
 /// Told about a candidate that could not be described, in the order of the source and on the caller's thread.
-/// May throw, to end the run. An empty function: such candidates are passed over.
+/// An empty function: such candidates are passed over.
 using CandidateFailure = std::function<void(const Candidate&, const Error&)>;
 
 struct StreamOptions {
@@ -39,16 +40,18 @@ struct StreamOptions {
 
 struct RankOptions {
   CompareOptions compare = {};
-  std::size_t top = 0;  ///< how many of the best are kept; 0: all
-  bool prune = true;    ///< false: every candidate is compared to the end (the answer is the same)
+  std::size_t top = 0;       ///< how many of the best are kept; 0: all
+  bool prune = true;         ///< false: every candidate is compared to the end (the answer is the same)
+  bool keep_shapes = false;  ///< the best come with their descriptors, to be drawn, say
   StreamOptions stream = {};
 };
 
 struct RankedShape {
-  std::string name;
+  std::string name;  ///< the descriptor's, or the candidate's where that has none
   std::string label;
   std::size_t index = 0;  ///< in the order of the source
   Comparison comparison;
+  std::optional<ShapeDescriptor> shape;  ///< with keep_shapes
 };
 
 struct Ranking {
