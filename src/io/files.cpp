@@ -177,5 +177,30 @@ void write_file(const std::string& path, std::string_view content) {
   }
 }
 
+void write_file(const std::string& path, const FilePieces& next) {
+  struct stat status {};
+  const bool exists = ::stat(path.c_str(), &status) == 0;
+  if (!exists && errno != ENOENT) fail("write", path, errno);
+  if (exists && S_ISDIR(status.st_mode)) fail("write", path, EISDIR);
+  if (exists && !S_ISREG(status.st_mode))
+    throw IoError(fmt::format("cannot write {}: it is not a file", path));
+  if (exists && ::access(path.c_str(), W_OK) != 0) fail("write", path, errno);
+  const std::filesystem::path target = link_target(path);
+  const std::string temporary = (target.parent_path() / (".tandem-" + target.filename().string())).string();
+  FileDescriptor file(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
+  if (file.get() < 0) fail("write", path, errno);
+  try {
+    while (const std::optional<std::string> piece = next()) {
+      if (const int error = write_all(file.get(), *piece)) fail("write", path, error);
+    }
+    if (exists && ::fchmod(file.get(), status.st_mode & 07777U) != 0) fail("write", path, errno);
+    if (const int error = file.close()) fail("write", path, error);
+    if (::rename(temporary.c_str(), target.c_str()) != 0) fail("write", path, errno);
+  } catch (...) {
+    ::unlink(temporary.c_str());
+    throw;
+  }
+}
+
 }  // namespace v0
 }  // namespace tandem

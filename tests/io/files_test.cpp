@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <iterator>
+#include <optional>
 #include <string>
 
 #include "io/scratch_directory.h"
@@ -93,6 +94,38 @@ TEST_F(Files, LeavesNothingBehindWhenItCannotWrite) {
 TEST_F(Files, WritesToDevices) {
   EXPECT_NO_THROW(write_file("/dev/null", "x"));
   EXPECT_TRUE(fs::is_character_file("/dev/null"));
+}
+
+TEST_F(Files, WritesPieceByPiece) {
+  int piece = 0;
+  const auto three = [&]() -> std::optional<std::string> {
+    if (piece == 3) return std::nullopt;
+    return std::to_string(piece++);
+  };
+  put(".tandem-a", "left behind by a process that was killed, and longer");
+  fs::create_symlink("a", directory_ / "link");
+  write_file(path("link"), three);
+  EXPECT_EQ(read_file(path("a")), "012");
+  EXPECT_TRUE(fs::is_symlink(directory_ / "link"));
+  fs::permissions(path("a"), fs::perms{0604});
+  piece = 1;
+  write_file(path("a"), three);
+  EXPECT_EQ(read_file(path("a")), "12");
+  EXPECT_EQ(static_cast<int>(fs::status(path("a")).permissions()), 0604);
+  EXPECT_EQ(entries(), 2U);
+}
+
+TEST_F(Files, LeavesNothingBehindWhenAPieceCannotBeMade) {
+  put("a", "before");
+  int piece = 0;
+  const auto broken = [&]() -> std::optional<std::string> {
+    if (piece++ == 2) throw tandem::InvalidArgument("no more");
+    return "x";
+  };
+  EXPECT_THROW(write_file(path("a"), broken), tandem::InvalidArgument);
+  EXPECT_EQ(read_file(path("a")), "before");
+  EXPECT_EQ(io_error([&] { write_file("/dev/null", broken); }), "cannot write /dev/null: it is not a file");
+  EXPECT_EQ(entries(), 1U);
 }
 
 }  // namespace
