@@ -1,7 +1,10 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <atomic>
 #include <memory>
+#include <mutex>
 #include <utility>
 #include <vector>
 
@@ -34,40 +37,17 @@ class StartFamily {
       : family_(family), period_(family.table->rows()), threads_(worth_threads() ? threads : 1) {}
 
   [[nodiscard]] BestStart<V> best(const Progress& progress) {
+    progress_ = &progress;
     BestStart<V> best;
-    if (progress && !progress(0.0)) {
-      best.cancelled = true;
+    if (!report(best)) return best;
+    if (period_ <= lanes_) {
+      search({0, period_, {}, {}}, 0, best);
       return best;
     }
-    std::vector<Gap> gaps;
-    if (period_ <= lanes_) {
-      gaps.push_back({0, period_, {}, {}});
-    } else {
-      const Path first = trace(0, {});
-      offer(best, 0, first.cost);
-      // One lap on it is the path from the last start's successor.
-      gaps.push_back({1, period_, {0, first.spans}, {period_, first.spans}});
-    }
-    const auto wide = [&](const Gap& gap) { return is_wide(gap); };
-    for (double done = 0.1; std::any_of(gaps.begin(), gaps.end(), wide); done += 0.1) {
-      if (progress && !progress(std::min(done, 0.8))) {
-        best.cancelled = true;
-        return best;
-      }
-      gaps = halves(gaps, best);
-    }
-    std::vector<std::vector<V>> costs(gaps.size());
-    parallel_for(static_cast<int>(gaps.size()), threads_, [&](int g) {
-      const Gap& gap = gaps[static_cast<std::size_t>(g)];
-      std::vector<V>& of_gap = costs[static_cast<std::size_t>(g)];
-      of_gap.resize(static_cast<std::size_t>(gap.last - gap.first));
-      start_costs(family_, gap.first, gap.channel(), of_gap);
-    });
-    for (std::size_t g = 0; g < gaps.size(); ++g) {
-      for (std::size_t k = 0; k < costs[g].size(); ++k) {
-        offer(best, gaps[g].first + static_cast<int>(k), costs[g][k]);
-      }
-    }
+    const Path first = trace(0, {});
+    offer(best, 0, first.cost);
+    // One lap on it is the path from the last start's successor.
+    search({1, period_, {0, first.spans}, {period_, first.spans}}, 0, best);
     return best;
   }
 
@@ -76,7 +56,7 @@ class StartFamily {
     int start = 0;
     std::shared_ptr<const RowSpans> spans;
   };
-  /// Starts, at least one, first .. last - 1 between two paths that are known.
+  /// Starts first .. last - 1 between two paths that are known.
   struct Gap {
     int first = 0;
     int last = 0;
@@ -91,8 +71,6 @@ class StartFamily {
     V cost = unreachable<V>;
     std::shared_ptr<const RowSpans> spans;  ///< none if there is no path
   };
-
-  [[nodiscard]] bool is_wide(const Gap& gap) const { return gap.last - gap.first > lanes_; }
 
   /// Threads cost more than they bring below some ten thousand nodes.
   [[nodiscard]] bool worth_threads() const {
@@ -127,36 +105,61 @@ class StartFamily {
     return gap.first + batches / 2 * (lanes_ + 1) - 1;
   }
 
-  /// Every gap that the lanes cannot hold in two, around the path from the start in its middle. A start
-  /// without a path bounds nothing.
-  [[nodiscard]] std::vector<Gap> halves(const std::vector<Gap>& gaps, BestStart<V>& best) const {
-    std::vector<Path> paths(gaps.size());
-    parallel_for(static_cast<int>(gaps.size()), threads_, [&](int g) {
-      const Gap& gap = gaps[static_cast<std::size_t>(g)];
-      if (is_wide(gap)) paths[static_cast<std::size_t>(g)] = trace(middle(gap), gap.channel());
-    });
-    std::vector<Gap> result;
-    result.reserve(2 * gaps.size());
-    for (std::size_t g = 0; g < gaps.size(); ++g) {
-      const Gap& gap = gaps[g];
-      if (!is_wide(gap)) {
-        result.push_back(gap);
-        continue;
-      }
-      const int k = middle(gap);
-      offer(best, k, paths[g].cost);
-      const Bound between{k, paths[g].spans};
-      const bool bounds = between.spans != nullptr;
-      result.push_back({gap.first, k, gap.above, bounds ? between : gap.below});
-      if (k + 1 < gap.last) result.push_back({k + 1, gap.last, bounds ? between : gap.above, gap.below});
+  /// The best of a gap's starts: all at once if the lanes can hold them, else by halves around the path from
+  /// the start in the middle. A start without a path bounds nothing.
+  void search(const Gap& gap, int depth, BestStart<V>& best) {
+    if (gap.first >= gap.last || best.cancelled) return;
+    if (gap.last - gap.first <= lanes_) {
+      std::vector<V> costs(static_cast<std::size_t>(gap.last - gap.first));
+      start_costs(family_, gap.first, gap.channel(), costs);
+      for (std::size_t k = 0; k < costs.size(); ++k) offer(best, gap.first + static_cast<int>(k), costs[k]);
+      done_ += gap.last - gap.first;
+      report(best);
+      return;
     }
-    return result;
+    const int k = middle(gap);
+    const Path path = trace(k, gap.channel());
+    offer(best, k, path.cost);
+    const Bound between{k, path.spans};
+    const bool bounds = path.spans != nullptr;
+    const std::array<Gap, 2> halves = {Gap{gap.first, k, gap.above, bounds ? between : gap.below},
+                                       Gap{k + 1, gap.last, bounds ? between : gap.above, gap.below}};
+    // One half after the other, to the end: its costs are still in the cache.
+    if (threads_ == 1 || depth >= kParallelDepth) {
+      for (const Gap& half : halves) search(half, depth + 1, best);
+      return;
+    }
+    std::array<BestStart<V>, 2> found;
+    parallel_for(2, threads_, [&](int h) {
+      const auto n = static_cast<std::size_t>(h);
+      search(halves[n], depth + 1, found[n]);
+    });
+    for (const BestStart<V>& half : found) {
+      if (half.start >= 0) offer(best, half.start, half.cost);
+      best.cancelled |= half.cancelled;
+    }
   }
+
+  /// Tells the caller how far it is, one thread at a time; false and cancelled if that said stop.
+  bool report(BestStart<V>& best) {
+    if (!*progress_) return true;
+    const std::lock_guard lock(mutex_);
+    stopped_ = stopped_ || !(*progress_)(std::min(1.0, static_cast<double>(done_) / period_));
+    best.cancelled = stopped_;
+    return !stopped_;
+  }
+
+  /// Halves of halves run at once down to here: enough for eight threads.
+  static constexpr int kParallelDepth = 3;
 
   const PathFamily<V>& family_;
   int period_;
   int lanes_ = start_lanes(V{});
   int threads_;
+  const Progress* progress_ = nullptr;
+  std::mutex mutex_;
+  bool stopped_ = false;
+  std::atomic<int> done_ = 0;
 };
 
 }  // namespace detail
