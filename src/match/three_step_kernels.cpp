@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <memory>
+#include <type_traits>
 
 HWY_BEFORE_NAMESPACE();
 namespace tandem {
@@ -20,6 +22,10 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 template <class V>
 using Lanes = hn::ScalableTag<V>;
+
+/// Unsigned numbers of half a V's width.
+template <class V>
+using HalfAsWide = std::conditional_t<sizeof(V) == 8, std::uint32_t, std::uint16_t>;
 
 template <class V>
 HWY_INLINE std::size_t lane_count() {
@@ -73,22 +79,24 @@ class DiagonalSpan {
 };
 
 /// Moves of a path's cells, as two bits each: whether the best predecessor is the diagonal one, and whether
-/// it is the left one. Bits of one vector lie side by side.
+/// it is the left one.
 class Moves {
  public:
-  Moves(std::size_t lanes, std::size_t diagonals) : lanes_(lanes), bytes_((lanes + 7) / 8) {
-    rows_.reserve(diagonals);
+  Moves(std::size_t lanes, std::size_t diagonals) : lanes_(lanes) { rows_.reserve(diagonals); }
+
+  [[nodiscard]] static constexpr std::size_t bytes(std::size_t lanes) {
+    return std::max<std::size_t>(1, 2 * lanes / 8);
   }
   /// Room for an antidiagonal whose columns begin at `first`.
   HWY_INLINE std::uint8_t* add(std::size_t first, std::size_t vectors) {
-    const std::size_t offset = used_;
-    used_ += vectors * 2 * bytes_;
-    // StoreMaskBits may write 8 bytes.
-    if (HWY_UNLIKELY(used_ + 8 > bits_.size())) bits_.resize(2 * used_ + 4096);
-    rows_.push_back({offset, first});
-    return bits_.data() + offset;
+    const std::size_t size = vectors * bytes(lanes_);
+    if (HWY_UNLIKELY(size > left_)) grow(size);
+    std::uint8_t* const bits = next_;
+    next_ += size;
+    left_ -= size;
+    rows_.push_back({bits, first});
+    return bits;
   }
-  [[nodiscard]] std::size_t bytes_per_mask() const { return bytes_; }
   /// Nodes from the last cell back to the first, in order, in rows and columns of the family.
   [[nodiscard]] std::vector<Node> backtrack(int k, int rows, int width) const {
     std::vector<Node> nodes;
@@ -100,11 +108,12 @@ class Moves {
       if (i == 0 && j == 0) break;
       const Row& row = rows_[static_cast<std::size_t>(i + j)];
       const auto at = static_cast<std::size_t>(j) - row.first;
-      const std::uint8_t* mask = bits_.data() + row.offset + at / lanes_ * 2 * bytes_;
+      const std::uint8_t* bits = row.bits + at / lanes_ * bytes(lanes_);
       const std::size_t lane = at % lanes_;
-      const auto bit = [&](const std::uint8_t* m) { return (m[lane / 8] >> (lane % 8)) & 1; };
-      const bool diagonal = bit(mask) != 0;
-      const bool left = !diagonal && bit(mask + bytes_) != 0;
+      const auto bit = [&](std::size_t n) { return (bits[n / 8] >> (n % 8)) & 1; };
+      // As store_moves leaves them.
+      const bool diagonal = bit(lanes_ < 8 ? 2 * lane : lane) != 0;
+      const bool left = !diagonal && bit(lanes_ < 8 ? 2 * lane + 1 : lanes_ + lane) != 0;
       if (!left) --i;
       if (diagonal || left) --j;
     }
@@ -114,22 +123,60 @@ class Moves {
 
  private:
   struct Row {
-    std::size_t offset;
+    const std::uint8_t* bits;
     std::size_t first;
   };
+
+  /// In chunks, each as large as all before it up to a limit: nothing is copied, little is left over.
+  void grow(std::size_t size) {
+    constexpr std::size_t kFirst = 4096;
+    constexpr std::size_t kLargest = std::size_t{1} << 20;
+    // StoreMaskBits may write 8 bytes.
+    constexpr std::size_t kSlack = 8;
+    const std::size_t chunk = std::max(size, std::clamp(total_, kFirst, kLargest));
+    chunks_.push_back(std::make_unique_for_overwrite<std::uint8_t[]>(chunk + kSlack));
+    total_ += chunk;
+    next_ = chunks_.back().get();
+    left_ = chunk;
+  }
+
   std::size_t lanes_;
-  std::size_t bytes_;
-  std::size_t used_ = 0;
-  std::vector<std::uint8_t> bits_;
+  std::uint8_t* next_ = nullptr;
+  std::size_t left_ = 0;
+  std::size_t total_ = 0;
+  std::vector<std::unique_ptr<std::uint8_t[]>> chunks_;
   std::vector<Row> rows_;
 };
+
+/// The moves of one vector. Wide ones: the bits of one kind, then those of the other; narrow ones by turns,
+/// so that they fit in a byte.
+template <class V, class Mask>
+HWY_INLINE void store_moves(Mask diagonal, Mask left, std::uint8_t* bits) {
+  const Lanes<V> d;
+#if HWY_TARGET == HWY_SCALAR
+  std::uint8_t both[2];
+  hn::StoreMaskBits(d, diagonal, both);
+  hn::StoreMaskBits(d, left, both + 1);
+  *bits = static_cast<std::uint8_t>((both[0] & 1) | (both[1] & 1) << 1);
+#else
+  if constexpr (hn::MaxLanes(d) < 8) {
+    const hn::Repartition<HalfAsWide<V>, decltype(d)> halves;
+    const auto even = hn::BitCast(halves, hn::VecFromMask(d, diagonal));
+    const auto odd = hn::BitCast(halves, hn::VecFromMask(d, left));
+    hn::StoreMaskBits(halves, hn::MaskFromVec(hn::OddEven(odd, even)), bits);
+  } else {
+    hn::StoreMaskBits(d, diagonal, bits);
+    hn::StoreMaskBits(d, left, bits + hn::Lanes(d) / 8);
+  }
+#endif
+}
 
 /// One antidiagonal: cells first .. last from the two before it, in whole aligned vectors from column
 /// `aligned` on. The cells beside them become unreachable; what else a vector covers is never read.
 template <class V, bool kRule>
 HWY_INLINE void relax_diagonal(const V* costs, const V* before2, const V* before1, V* out,
                                std::size_t aligned, int first, int last, const StepRule<V>& rule,
-                               std::uint8_t* bits, std::size_t mask_bytes) {
+                               std::uint8_t* bits) {
   const Lanes<V> d;
   const std::size_t lanes = lane_count<V>();
   const auto charged = hn::Set(d, rule.charge);
@@ -144,9 +191,8 @@ HWY_INLINE void relax_diagonal(const V* costs, const V* before2, const V* before
       up = hn::Add(up, charged);
     }
     const auto best = hn::Min(left, hn::Min(diagonal, up));
-    hn::StoreMaskBits(d, hn::Eq(best, diagonal), bits);
-    hn::StoreMaskBits(d, hn::Eq(best, left), bits + mask_bytes);
-    bits += 2 * mask_bytes;
+    store_moves<V>(hn::Eq(best, diagonal), hn::Eq(best, left), bits);
+    bits += Moves::bytes(lanes);
     return hn::Add(best, cost);
   };
   const auto end = static_cast<std::size_t>(last + 1);
@@ -250,7 +296,7 @@ TracedCost<V> trace(const TraceTask<V>& task, Diagonals& source, const Channel& 
     const std::size_t vectors = (static_cast<std::size_t>(span.last() + 1) - aligned) / lanes + 1;
     std::uint8_t* bits = moves.add(aligned, vectors);
     relax_diagonal<V, kRule>(source.next(), before2, before1, out, aligned, span.first(), span.last(),
-                             task.rule, bits, moves.bytes_per_mask());
+                             task.rule, bits);
   }
   TracedCost<V> traced;
   traced.cost = out[width - 1];
