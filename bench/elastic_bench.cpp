@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "curve_pairs.h"
-#include "match/search.h"
+#include "match/search_near.h"
 #include "tandem/match/match.h"
 
 namespace {
@@ -47,6 +47,31 @@ void BM_elastic_closed_file(benchmark::State& state) {
   time_pairs(state, file_pairs(), [m](const Pair& p) { return time_closed(p, m); });
 }
 BENCHMARK(BM_elastic_closed_file)->ArgName("m")->Arg(128)->Iterations(3)->Unit(benchmark::kMillisecond);
+
+/// Both directions on a quarter of the samples, then the better one beside that path; not exact.
+double time_fast(const Pair& pair, int m) {
+  const auto samples = [&](int count) {
+    const SampleOptions options{.count = count, .cyclic = true};
+    return detail::SamplePair{sample(pair.a, options), sample(pair.b, options)};
+  };
+  const detail::SamplePair fine = samples(m);
+  const detail::SamplePair coarse = samples(m / detail::kCoarsening);
+  const double start = cpu_seconds();
+  benchmark::DoNotOptimize(detail::search_near(coarse, fine, {.threads = 1}, Layout::toroidal));
+  return cpu_seconds() - start;
+}
+
+void BM_elastic_fast_random(benchmark::State& state) {
+  const int m = static_cast<int>(state.range(0));
+  time_pairs(state, random_pairs(), [m](const Pair& p) { return time_fast(p, m); });
+}
+BENCHMARK(BM_elastic_fast_random)->ArgName("m")->Arg(128)->Iterations(3)->Unit(benchmark::kMillisecond);
+
+void BM_elastic_fast_file(benchmark::State& state) {
+  const int m = static_cast<int>(state.range(0));
+  time_pairs(state, file_pairs(), [m](const Pair& p) { return time_fast(p, m); });
+}
+BENCHMARK(BM_elastic_fast_file)->ArgName("m")->Arg(128)->Iterations(3)->Unit(benchmark::kMillisecond);
 
 /// One direction of two open curves, of a pair with a valid path (a curve and the same one a little changed)
 /// and of one without.

@@ -25,7 +25,7 @@ namespace {
 /// mistyped.
 constexpr std::array<std::string_view, 6> kLaterCommands = {"align", "rule", "blend",
                                                             "skin",  "font", "loft-repair"};
-constexpr std::array<std::string_view, 7> kLaterOptions = {"--pin",    "--certify", "--fast", "--mirror",
+constexpr std::array<std::string_view, 6> kLaterOptions = {"--pin",    "--certify", "--mirror",
                                                            "--linear", "--grid",    "--axis"};
 
 template <std::size_t N>

@@ -77,7 +77,7 @@ void add_match_flags(CLI::App& command, MatchFlags& flags) {
   option("--low-pass", flags.low_pass, "X",
          "Smooth the samples first: deviation as a share of the length (0)");
   option("--threads", flags.threads, "N", "Threads to use (all); the result does not depend on it");
-  command.add_flag("--coarse-to-fine", flags.coarse_to_fine, "Faster, but not exact")->group(group);
+  command.add_flag("--fast", flags.fast, "Faster, but not exact")->group(group);
   command.add_flag("--rotate", flags.rotate, "Find the best turn (not available yet)")->group(group);
   command.add_flag("--no-rotate", flags.no_rotate, "Leave the curves as they lie (default)")->group(group);
   command.add_flag("--strict", flags.strict, "Exit with 4 and write nothing when there is no valid match")
@@ -117,7 +117,7 @@ MatchOptions to_match_options(const MatchFlags& flags) {
                                        {"no", ClosedMode::no},
                                        {"pinned", ClosedMode::pinned}});
   if (!flags.low_pass.empty()) options.low_pass = parse_number("--low-pass", flags.low_pass, 0.0, 0.5);
-  options.coarse_to_fine = flags.coarse_to_fine;
+  options.coarse_to_fine = flags.fast;
   if (!flags.threads.empty()) options.threads = parse_count("--threads", flags.threads, 1, 1024);
   return options;
 }

@@ -29,7 +29,7 @@ struct MatchFlags {
   std::string closed = "auto";
   std::string low_pass;
   std::string threads;
-  bool coarse_to_fine = false;
+  bool fast = false;
   bool rotate = false;
   bool no_rotate = false;
   bool strict = false;

@@ -136,6 +136,7 @@ std::string format_json_report(const Match& match) {
   writer.text("sampling", name(report.sampling));
   writer.number("cost", report.cost);
   writer.number("mean_cost", report.mean_cost);
+  writer.boolean("exact", report.exact);
   writer.integer("invalid_nodes", report.invalid_nodes);
   writer.number("invalid_length", report.invalid_length);
   writer.boolean("valid", report.validity.valid);

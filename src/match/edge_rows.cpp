@@ -17,7 +17,7 @@ namespace {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Rows of chords that pass before the window is moved back to the start of its memory.
-constexpr std::size_t kSlide = 64;
+constexpr std::size_t kSlide = 32;
 
 /// Stands for the length of a chord that has none (of a whole of 1): shares of it are slivers, unless all
 /// chords of an edge are like it, which then share it equally.
@@ -39,27 +39,6 @@ int longest_of(const std::vector<Step>& steps) {
   int longest = 1;
   for (const Step& s : steps) longest = std::max({longest, s.a, s.b});
   return longest;
-}
-
-/// A stretch of an edge on which neither curve changes its chord.
-struct Cell {
-  int a = 0;  ///< chord of the first curve, counted from the start of the edge
-  int b = 0;
-  double share = 0.0;  ///< of the edge
-};
-
-/// Cells of an edge whose chords meet at these shares of it (from 0 to 1).
-std::vector<Cell> cut_cells(const std::vector<double>& ends_a, int b) {
-  std::vector<Cell> cells;
-  const int a = static_cast<int>(ends_a.size()) - 1;
-  for (int p = 0; p < a; ++p) {
-    for (int q = 0; q < b; ++q) {
-      const double from = std::max(ends_a[static_cast<std::size_t>(p)], static_cast<double>(q) / b);
-      const double to = std::min(ends_a[static_cast<std::size_t>(p) + 1], static_cast<double>(q + 1) / b);
-      if (to - from > kSliver) cells.push_back({p, q, to - from});
-    }
-  }
-  return cells;
 }
 
 }  // namespace
@@ -110,7 +89,6 @@ EdgeRows::EdgeRows(const Samples& a, const Samples& b, const NodeTable& chords, 
 
   window_rows_ = static_cast<std::size_t>(longest_) + kSlide;
   chord_cost_.assign(window_rows_ * static_cast<std::size_t>(chord_stride_), kInfinity);
-  chord_flag_.assign(chord_cost_.size(), 0.0);
   flagged_.assign(window_rows_, 0);
   weighed_.assign(static_cast<std::size_t>(longest_) + 1, -1.0);
   factor_.assign(row_size_, 1.0);
@@ -137,13 +115,15 @@ void EdgeRows::hold(Counting counting, double threshold) {
   counting_ = counting;
   threshold_ = most_ > kMostCost ? std::min(threshold, kMostCost) : threshold;
   window_row_ = -1;
+  if (counting == Counting::counted) chord_flag_.resize(chord_cost_.size());
   cost_.clear();
   invalid_.clear();
   known_.clear();
 }
 
-void EdgeRows::keep(std::size_t bytes) {
+void EdgeRows::keep(std::size_t bytes, bool whole) {
   kept_bytes_ = bytes;
+  whole_rows_ = whole;
 }
 
 EdgeRows::Row EdgeRows::row(int i, Columns columns) {
@@ -153,16 +133,18 @@ EdgeRows::Row EdgeRows::row(int i, Columns columns) {
   if (cost_.empty()) {
     cost_.resize(row_size_ * (kept ? static_cast<std::size_t>(rows_) : 1));
     if (counted) invalid_.resize(cost_.size());
-    if (kept) known_.assign(static_cast<std::size_t>(rows_), 0);
+    if (kept) known_.assign(static_cast<std::size_t>(rows_), Columns{});
   }
   const std::size_t at = kept ? row_size_ * static_cast<std::size_t>(i) : 0;
   double* cost = cost_.data() + at;
   double* invalid = counted ? invalid_.data() + at : nullptr;
-  if (!kept || known_[static_cast<std::size_t>(i)] == 0) {
+  if (kept && whole_rows_) columns = {0, stride_};
+  Columns* known = kept ? &known_[static_cast<std::size_t>(i)] : nullptr;
+  if (known == nullptr || columns.lo < known->lo || columns.hi > known->hi) {
     if (table_ != nullptr) {
       copy_row(i, cost, invalid);
     } else {
-      compute_row(i, kept ? Columns{0, stride_} : columns, cost, invalid);
+      compute_row(i, columns, cost, invalid);
     }
     if (threshold_ < kInfinity) {
       for (std::size_t k = 0; k < row_size_; ++k) {
@@ -171,7 +153,7 @@ EdgeRows::Row EdgeRows::row(int i, Columns columns) {
         if (counted) invalid[k] = kInfinity;
       }
     }
-    if (kept) known_[static_cast<std::size_t>(i)] = 1;
+    if (known != nullptr) *known = columns;
   }
   return {cost, invalid};
 }
@@ -235,17 +217,27 @@ void EdgeRows::measure_columns(const Samples& b) {
             q == n ? 1.0 : sum / runs.length[static_cast<std::size_t>(x)];
       }
     }
+    for (const std::vector<double>& ends : runs.ends) runs.end_arrays.push_back(ends.data());
+    for (int block = 0; block < stride_; block += kBlock) {
+      for (const std::vector<double>& ends : runs.ends) {
+        const auto [least, largest] =
+            std::minmax_element(ends.begin() + block, ends.begin() + block + kBlock);
+        runs.spread.push_back(*least);
+        runs.spread.push_back(*largest);
+      }
+    }
   }
 }
 
 /// The chords of one row that edges ending in these columns need.
 void EdgeRows::load_chord_row(int row, std::size_t slot, Columns columns) {
   const int pad = whole_blocks(longest_);
+  const bool barred = counting_ == Counting::barred;
   double* cost = chord_cost_.data() + slot * static_cast<std::size_t>(chord_stride_) + columns.lo;
-  double* flag = chord_flag_.data() + slot * static_cast<std::size_t>(chord_stride_) + columns.lo;
+  double* flag = barred ? nullptr : chord_flag_.data() + (cost - chord_cost_.data());
   const int size = pad + columns.hi - columns.lo;
   std::fill_n(cost, size, kInfinity);
-  if (counting_ == Counting::counted) std::fill_n(flag, size, kInfinity);
+  if (!barred) std::fill_n(flag, size, kInfinity);
   const int count = static_cast<int>(chords_->rows);
   if (row < 0) {
     flagged_[slot] = 0;
@@ -254,7 +246,6 @@ void EdgeRows::load_chord_row(int row, std::size_t slot, Columns columns) {
   }
   const std::size_t at = chords_->index(static_cast<std::size_t>(row), 0);
   const auto cols = static_cast<int>(chords_->cols);
-  const bool barred = counting_ == Counting::barred;
   std::uint8_t any = 0;
   // Chord k is the one before column k + 1 - first_col(); a loop's go on after its end.
   const int start = columns.lo + first_col_ - pad;
@@ -266,14 +257,13 @@ void EdgeRows::load_chord_row(int row, std::size_t slot, Columns columns) {
     const double* costs = chords_->cost.data() + at + static_cast<std::size_t>(from);
     const std::uint8_t* flags = chords_->invalid.data() + at + static_cast<std::size_t>(from);
     double* to = cost + (k - start);
-    double* to_flag = flag + (k - start);
     for (int c = 0; c < n; ++c) any |= flags[c];
     if (barred && any != 0) {
       for (int c = 0; c < n; ++c) to[c] = flags[c] != 0 ? kInfinity : costs[c];
     } else {
       std::copy_n(costs, n, to);
     }
-    for (int c = 0; c < n && !barred; ++c) to_flag[c] = flags[c];
+    for (int c = 0; c < n && !barred; ++c) flag[k - start + c] = flags[c];
     k += n;
   }
   flagged_[slot] = any;
@@ -298,6 +288,7 @@ void EdgeRows::load_chords(int i, Columns columns) {
   if (window_slot_ + 1 == window_rows_) {
     const std::size_t from = window_slot_ - longest + 1;
     for (std::vector<double>* rows : {&chord_cost_, &chord_flag_}) {
+      if (rows->empty()) continue;
       std::copy_n(rows->begin() + static_cast<std::ptrdiff_t>(from * stride), (longest - 1) * stride,
                   rows->begin());
     }
@@ -375,31 +366,40 @@ void EdgeRows::plan_row(int i) {
     ends.back() = 1.0;
   }
   const std::ptrdiff_t stride = chord_stride_;
-  const auto add_sum = [&](std::size_t s, bool continues, const std::vector<EdgeTerm>& terms) {
+  const auto add_sum = [&](std::size_t s, bool continues, std::size_t first) {
     const std::size_t at = s * static_cast<std::size_t>(stride_);
-    const std::size_t first = terms_.size();
-    terms_.insert(terms_.end(), terms.begin(), terms.end());
     sums_.push_back({continues, first, terms_.size(), factor_.data() + at, strain_.data() + at, nullptr});
   };
   // The steps come by a, then b: (1,1) .. (1,n) are running sums along the row.
-  std::size_t s = 0;
-  for (int b = 1; b <= longest_; ++b, ++s) add_sum(s, b > 1, {{-b, 1.0}});
-  for (; s < steps_.size(); ++s) {
-    const auto [a, b] = steps_[s];
-    if (b == 1) continue;
-    std::vector<EdgeTerm> terms;
-    for (const Cell& cell : cut_cells(ends_a_[static_cast<std::size_t>(a)], b))
-      terms.push_back({-(a - cell.a) * stride - (b - cell.b), cell.share});
-    add_sum(s, false, terms);
+  for (int b = 1; b <= longest_; ++b) {
+    terms_.push_back({-b, 1.0});
+    add_sum(static_cast<std::size_t>(b) - 1, b > 1, terms_.size() - 1);
   }
   // (2,1) .. (n,1) are running sums across the rows.
-  std::vector<EdgeTerm> down = {{-stride - 1, length(1)}};
-  for (s = static_cast<std::size_t>(longest_); s < steps_.size(); ++s) {
+  std::size_t first = terms_.size();
+  terms_.push_back({-stride - 1, length(1)});
+  for (std::size_t s = static_cast<std::size_t>(longest_); s < steps_.size(); ++s) {
     const auto [a, b] = steps_[s];
     if (b != 1) continue;
-    down.push_back({-a * stride - 1, length(a)});
-    add_sum(s, a > 2, down);
-    down.clear();
+    terms_.push_back({-a * stride - 1, length(a)});
+    add_sum(s, a > 2, first);
+    first = terms_.size();
+  }
+  // The others have a term for every cell of the edge on which neither curve changes its chord; here for
+  // equal chords of the second curve.
+  for (std::size_t s = static_cast<std::size_t>(longest_); s < steps_.size(); ++s) {
+    const auto [a, b] = steps_[s];
+    if (b == 1) continue;
+    first = terms_.size();
+    const std::vector<double>& ends = ends_a_[static_cast<std::size_t>(a)];
+    for (int p = 0; p < a; ++p) {
+      for (int q = 0; q < b; ++q) {
+        const double from = std::max(ends[static_cast<std::size_t>(p)], static_cast<double>(q) / b);
+        const double to = std::min(ends[static_cast<std::size_t>(p) + 1], static_cast<double>(q + 1) / b);
+        if (to - from > kSliver) terms_.push_back({-(a - p) * stride - (b - q), to - from});
+      }
+    }
+    add_sum(s, false, first);
   }
 }
 
@@ -431,14 +431,13 @@ void EdgeRows::integrate(int /*i*/, Columns columns, const std::vector<double>& 
     const auto [a, b] = steps_[s];
     const Runs& runs = runs_b_[static_cast<std::size_t>(b)];
     if (a == 1 || b == 1 || runs.mixed.empty()) continue;
-    std::vector<const double*> ends;
-    for (const std::vector<double>& e : runs.ends) ends.push_back(e.data());
     const std::size_t at = s * static_cast<std::size_t>(stride_);
     const EdgeOverlaps edges{a,
                              b,
                              chord_stride_,
                              ends_a_[static_cast<std::size_t>(a)].data(),
-                             ends.data(),
+                             runs.end_arrays.data(),
+                             runs.spread.data(),
                              factor_.data() + at,
                              strain_.data() + at,
                              out + at};

@@ -61,8 +61,8 @@ class EdgeRows {
   void hold(Counting counting, double threshold);
   [[nodiscard]] Counting counting() const { return counting_; }
   /// Keeps rows once they are computed, if that takes no more than this many bytes: several programmes are to
-  /// run over them.
-  void keep(std::size_t bytes);
+  /// run over them. whole: of all columns, not only of those asked for.
+  void keep(std::size_t bytes, bool whole);
 
   struct Row {
     const double* cost;     ///< steps() * stride()
@@ -77,6 +77,8 @@ class EdgeRows {
   struct Runs {
     std::vector<double> length;             ///< of the n chords before each node
     std::vector<std::vector<double>> ends;  ///< n + 1 arrays: shares of it at which the chords meet
+    std::vector<const double*> end_arrays;  ///< the same
+    std::vector<double> spread;             ///< by block: least and largest share, for every array
     std::vector<Columns> mixed;             ///< blocks with chords of different length
   };
 
@@ -107,8 +109,9 @@ class EdgeRows {
   std::size_t row_size_ = 0;
   std::vector<double> cost_;  ///< one row, or all
   std::vector<double> invalid_;
-  std::vector<std::uint8_t> known_;  ///< rows that are kept
+  std::vector<Columns> known_;  ///< by row, where they are kept
   std::size_t kept_bytes_ = 0;
+  bool whole_rows_ = false;
 
   const EdgeTable* table_ = nullptr;
 

@@ -7,32 +7,8 @@
 namespace tandem {
 inline namespace v0 {
 
-namespace {
-
-void bar_masked(EdgeTable& table, const NodeMask& mask) {
-  const auto rows = static_cast<int>(table.rows);
-  const auto cols = static_cast<int>(table.cols);
-  const auto allowed = [&](int i, int j) {
-    return mask.allows(static_cast<std::size_t>((i + rows) % rows),
-                       static_cast<std::size_t>((j + cols) % cols));
-  };
-  for (int i = 0; i < rows; ++i) {
-    for (std::size_t s = 0; s < table.steps.size(); ++s) {
-      const Step step = table.steps[s];
-      for (int j = 0; j < cols; ++j) {
-        if (allowed(i, j) && allowed(i - step.a, j - step.b)) continue;
-        table.cost[table.index(static_cast<std::size_t>(i), s, static_cast<std::size_t>(j))] =
-            std::numeric_limits<double>::infinity();
-      }
-    }
-  }
-}
-
-}  // namespace
-
 EdgeTable edge_costs(const Samples& a, const Samples& b, const NodeTable& chord_costs,
-                     const ElasticOptions& options, Aggregate aggregate, const NodeMask& mask,
-                     const Progress& progress) {
+                     const ElasticOptions& options, Aggregate aggregate, const Progress& progress) {
   detail::EdgeRows edges(a, b, chord_costs, options, aggregate);
   edges.hold(detail::Counting::counted, std::numeric_limits<double>::infinity());
   EdgeTable table;
@@ -58,7 +34,6 @@ EdgeTable edge_costs(const Samples& a, const Samples& b, const NodeTable& chord_
       }
     }
   }
-  if (!mask.allowed.empty()) bar_masked(table, mask);
   return table;
 }
 

@@ -116,19 +116,19 @@ void overlap_range(const double* HWY_RESTRICT chords, const EdgeOverlaps& e, std
                    double units) {
   const Lanes sliver = all(kSliver);
   for (std::size_t j = lo; j < hi; j += lanes()) {
+    const double* spread = e.spread_b + j / kBlock * 2 * static_cast<std::size_t>(e.b + 1);
     Lanes sum = all(0.0);
     for (int p = 0; p < e.a; ++p) {
-      const Lanes from_a = all(e.ends_a[p]);
-      const Lanes to_a = all(e.ends_a[p + 1]);
       const double* row = chords + (p - e.a) * e.row_stride + static_cast<std::ptrdiff_t>(j) - e.b;
-      Lanes from_b = load(e.ends_b[0] + j);
       for (int q = 0; q < e.b; ++q) {
-        const Lanes to_b = load(e.ends_b[q + 1] + j);
-        const Lanes share = hn::Sub(hn::Min(to_a, to_b), hn::Max(from_a, from_b));
+        // No overlap in the whole block.
+        if (spread[2 * q] >= e.ends_a[p + 1] || spread[2 * q + 3] <= e.ends_a[p]) continue;
+        const Lanes from = hn::Max(all(e.ends_a[p]), load(e.ends_b[q] + j));
+        const Lanes to = hn::Min(all(e.ends_a[p + 1]), load(e.ends_b[q + 1] + j));
+        const Lanes share = hn::Sub(to, from);
         // Left out, not multiplied by 0: a barred chord costs infinity.
         const Lanes next = add_term<kValue>(sum, load(row + q), share);
         sum = hn::IfThenElse(hn::Gt(share, sliver), next, sum);
-        from_b = to_b;
       }
     }
     finish<kValue>(sum, e.factor + j, e.strain + j, units, e.out + j);

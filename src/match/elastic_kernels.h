@@ -52,6 +52,7 @@ struct EdgeOverlaps {
   std::ptrdiff_t row_stride;    ///< from a row of chords to the next
   const double* ends_a;         ///< a + 1 shares of the edge at which chords of the first curve meet
   const double* const* ends_b;  ///< b + 1 arrays of them, by column
+  const double* spread_b;       ///< by block of columns: the least and the largest of each of the b + 1
   const double* factor;
   const double* strain;
   double* out;

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "match/band.h"
 #include "match/edge_rows.h"
 #include "match/lexicographic.h"
 #include "tandem/match/programme.h"
@@ -13,16 +14,6 @@
 namespace tandem {
 inline namespace v0 {
 namespace detail {
-
-/// The nodes that a programme may visit, row by unrolled row: what lies beside a path that is known roughly.
-struct Band {
-  struct Range {
-    int lo = 0;
-    int hi = -1;  ///< the last one
-  };
-  int first_row = 0;           ///< may be negative: rows of a loop count on in both directions
-  std::vector<Range> columns;  ///< of rows first_row, first_row + 1, ..; column 0 is where paths start
-};
 
 /// Where a run begins, and what its paths have cost before.
 struct ProgrammeStart {

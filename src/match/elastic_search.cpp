@@ -177,7 +177,7 @@ Path find_path(EdgeRows& edges, Aggregate aggregate, const Band* band, double th
   edges.hold(Counting::barred, threshold);
   {
     ElasticProgramme programme(edges, aggregate, band);
-    edges.keep(programme.start_count() > 1 ? kKeptBytes : 0);
+    edges.keep(programme.start_count() > 1 ? kKeptBytes : 0, band == nullptr);
     BestStart search(programme, aggregate, limit, limit.invalid > 0.0, progress);
     Path path = search.find();
     if (path.cancelled || !path.nodes.empty() || limit.invalid == 0.0) return path;

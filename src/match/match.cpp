@@ -6,12 +6,12 @@
 #include <string>
 #include <utility>
 
-#include "match/coarse.h"
 #include "match/find_rotation.h"
 #include "match/make_report.h"
 #include "match/path_correspondence.h"
 #include "match/sample_pair.h"
 #include "match/search.h"
+#include "match/search_near.h"
 #include "match/turned_samples.h"
 #include "tandem/curve/compose.h"
 #include "tandem/curve/edit.h"
@@ -29,9 +29,6 @@ using detail::SamplePair;
 using detail::SearchResult;
 
 constexpr int kPaperCoefficients = 20;
-
-/// Coarse to fine: the fine programme may stray from the coarse one by two coarse samples.
-constexpr int kMaskRadius = 2 * detail::kCoarsening;
 
 class Stopwatch {
  public:
@@ -59,15 +56,6 @@ struct Optimum {
   SearchResult found;  ///< samples_b is turned back
 };
 
-/// The programme on a quarter of the samples, and with it a mask for all of them; also settles the direction.
-NodeMask coarse_mask(const SamplePair& coarse, const SamplePair& fine, MatchOptions& options, Layout layout) {
-  const SearchResult found = detail::search(coarse.a, coarse.b, options, layout);
-  if (found.path.nodes.empty() || found.path.cancelled) return {};
-  options.direction = found.reversed ? Direction::reversed : Direction::forward;
-  return detail::mask_near(fine.a, fine.b, parameters_of(coarse, found, options, layout).correspondence,
-                           kMaskRadius);
-}
-
 /// The optimum for the rotation that the options give, or that has to be found.
 Optimum find_optimum(const Curve& a, const Curve& b, const SamplePair& samples, MatchOptions options,
                      Layout layout) {
@@ -87,13 +75,10 @@ Optimum find_optimum(const Curve& a, const Curve& b, const SamplePair& samples, 
   }
   const Rotation back = best.rotation.inverse();
   const SamplePair turned{samples.a, detail::turned(samples.b, back)};
-  NodeMask mask;
   if (options.coarse_to_fine) {
     coarse.b = detail::turned(std::move(coarse.b), back);
-    mask = coarse_mask(coarse, turned, options, layout);
-  }
-  best.found = detail::search(turned.a, turned.b, options, layout, mask);
-  if (best.found.path.nodes.empty() && !mask.allowed.empty() && !best.found.path.cancelled) {
+    best.found = detail::search_near(coarse, turned, options, layout);
+  } else {
     best.found = detail::search(turned.a, turned.b, options, layout);
   }
   return best;

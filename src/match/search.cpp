@@ -55,45 +55,19 @@ Path swapped(Path path) {
   return path;
 }
 
-NodeMask transposed(const NodeMask& mask) {
-  NodeMask t{mask.cols, mask.rows, std::vector<std::uint8_t>(mask.allowed.size())};
-  for (std::size_t k = 0; k < mask.allowed.size(); ++k)
-    t.allowed[k % mask.cols * mask.rows + k / mask.cols] = mask.allowed[k];
-  return t;
-}
-
-/// The mask for the samples of b in reverse order.
-NodeMask reversed(const NodeMask& mask, const Samples& b) {
-  NodeMask r = mask;
-  const bool keep_first = b.cyclic && b.parameters.front() == b.domain.lo;
-  for (std::size_t i = 0; i < mask.rows && !mask.allowed.empty(); ++i) {
-    for (std::size_t j = 0; j < mask.cols; ++j) {
-      const std::size_t k = keep_first ? (mask.cols - j) % mask.cols : mask.cols - 1 - j;
-      r.allowed[i * mask.cols + j] = mask.allowed[i * mask.cols + k];
-    }
-  }
-  return r;
-}
-
 Path elastic_path(const Samples& a, const Samples& b, const MatchOptions& options, Layout layout,
-                  RuledSign sign, const NodeMask& mask, const Progress& progress, const Path* beat) {
-  if (layout == Layout::cut_b || layout == Layout::pinned) {
+                  RuledSign sign, const Band* band, const Progress& progress, const Path* beat) {
+  if (is_transposed(layout, Method::elastic)) {
     return swapped(elastic_path(b, a, options, Layout::cut_a,
                                 sign == RuledSign::positive   ? RuledSign::negative
                                 : sign == RuledSign::negative ? RuledSign::positive
                                                               : sign,
-                                transposed(mask), progress, beat));
+                                band, progress, beat));
   }
   const Aggregate aggregate = aggregate_of(options.norm);
   const NodeTable chords = chord_costs(a, b, options.norm, options.features, sign);
-  if (mask.allowed.empty()) {
-    EdgeRows edges(a, b, chords, options.elastic, aggregate);
-    return best_elastic_path(edges, aggregate, nullptr, progress, beat);
-  }
-  const EdgeTable edges = edge_costs(a, b, chords, options.elastic, aggregate, mask, progress);
-  if (layout == Layout::toroidal) return closed_path(edges, aggregate, progress, beat);
-  if (layout == Layout::cut_a) return cut_path(edges, aggregate, progress, beat);
-  return open_path(edges, aggregate);
+  EdgeRows edges(a, b, chords, options.elastic, aggregate);
+  return best_elastic_path(edges, aggregate, band, progress, beat);
 }
 
 NodeTable transposed(const NodeTable& table) {
@@ -107,13 +81,29 @@ NodeTable transposed(const NodeTable& table) {
   return t;
 }
 
+/// The table with every node beside the band barred.
+NodeTable bar_beside(NodeTable nodes, const Band& band) {
+  const int rows = static_cast<int>(nodes.rows);
+  const int cols = static_cast<int>(nodes.cols);
+  std::vector<double> cost(nodes.cost.size(), std::numeric_limits<double>::infinity());
+  for (std::size_t r = 0; r < band.columns.size(); ++r) {
+    const int i = ((band.first_row + static_cast<int>(r)) % rows + rows) % rows;
+    for (int j = band.columns[r].lo; j <= band.columns[r].hi; ++j) {
+      const std::size_t k =
+          nodes.index(static_cast<std::size_t>(i), static_cast<std::size_t>((j % cols + cols) % cols));
+      cost[k] = nodes.cost[k];
+    }
+  }
+  nodes.cost = std::move(cost);
+  return nodes;
+}
+
 Path paper_path(const Samples& a, const Samples& b, const MatchOptions& options, Layout layout,
-                RuledSign sign, const NodeMask& mask, const Progress& progress, const Path* /*beat*/) {
+                RuledSign sign, const Band* band, const Progress& progress, const Path* /*beat*/) {
   const Aggregate aggregate = aggregate_of(options.norm);
   NodeTable nodes = node_costs(a, b, options.norm, options.features, sign);
-  for (std::size_t k = 0; k < mask.allowed.size(); ++k) {
-    if (mask.allowed[k] == 0) nodes.cost[k] = std::numeric_limits<double>::infinity();
-  }
+  if (layout == Layout::cut_b) nodes = transposed(nodes);
+  if (band != nullptr) nodes = bar_beside(std::move(nodes), *band);
   switch (layout) {
     case Layout::toroidal:
       return closed_path(nodes, aggregate, progress, options.threads);
@@ -122,7 +112,7 @@ Path paper_path(const Samples& a, const Samples& b, const MatchOptions& options,
     case Layout::cut_a:
       return cut_path(nodes, aggregate, progress, options.threads);
     case Layout::cut_b:
-      return swapped(cut_path(transposed(nodes), aggregate, progress, options.threads));
+      return swapped(cut_path(nodes, aggregate, progress, options.threads));
     case Layout::open:
       break;
   }
@@ -202,12 +192,12 @@ double signed_area(const Samples& s) {
 class CandidateRuns {
  public:
   CandidateRuns(const Samples& a, const Samples& b, const MatchOptions& options, Layout layout,
-                const NodeMask& mask)
+                const Band* band)
       : a_(a),
         b_(b),
         options_(options),
         layout_(layout),
-        mask_(mask),
+        band_(band),
         candidates_(list_candidates(a, options)),
         paths_(candidates_.size()),
         progress_(options.progress, static_cast<int>(candidates_.size())) {
@@ -258,8 +248,7 @@ class CandidateRuns {
     const Candidate& c = candidates_[k];
     const Progress own = progress_.for_candidate();
     const auto programme = options_.method == Method::paper ? paper_path : elastic_path;
-    paths_[k] = programme(a_, c.reversed ? *backward_ : b_, options_, layout_, c.sign,
-                          c.reversed ? reversed(mask_, b_) : mask_, own, beat);
+    paths_[k] = programme(a_, c.reversed ? *backward_ : b_, options_, layout_, c.sign, band_, own, beat);
     // An open programme is too short to ask on its way; the answer counts all the same.
     if (own && !own(1.0)) paths_[k].cancelled = true;
   }
@@ -268,7 +257,7 @@ class CandidateRuns {
   const Samples& b_;
   const MatchOptions& options_;
   Layout layout_;
-  const NodeMask& mask_;
+  const Band* band_;
   std::vector<Candidate> candidates_;
   std::optional<Samples> backward_;
   std::vector<Path> paths_;
@@ -278,8 +267,8 @@ class CandidateRuns {
 }  // namespace
 
 SearchResult search(const Samples& a, const Samples& b, const MatchOptions& options, Layout layout,
-                    const NodeMask& mask) {
-  CandidateRuns runs(a, b, options, layout, mask);
+                    const Band* band) {
+  CandidateRuns runs(a, b, options, layout, band);
   runs.run();
   SearchResult result = std::move(runs).best();
   if (result.path.nodes.empty()) return result;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "tandem/match/cost_table.h"
+#include "match/band.h"
 #include "tandem/match/match.h"
 #include "tandem/match/programme.h"
 #include "tandem/match/samples.h"
@@ -23,6 +23,12 @@ enum class Layout {
   return layout == Layout::toroidal || layout == Layout::pinned;
 }
 
+/// Whether the programme has the second curve's samples in its rows. The elastic pinned form cuts the second
+/// loop against the first, which is open at its seam.
+[[nodiscard]] constexpr bool is_transposed(Layout layout, Method method) {
+  return layout == Layout::cut_b || (layout == Layout::pinned && method == Method::elastic);
+}
+
 /// The better direction of two matched curves.
 struct SearchResult {
   Path path;  ///< nodes of a and of b as matched (reversed if `reversed`); loops: i starts in [0, m1)
@@ -31,10 +37,11 @@ struct SearchResult {
 };
 
 /// Runs the programme for every direction (and sign of the ruled norm) that the options allow, and keeps the
-/// best: forward on a tie. mask: nodes of a x b in forward order that may be used (see NodeMask).
+/// best: forward on a tie. band: the nodes that may be used, of a x b as matched, or of b x a where
+/// is_transposed().
 /// @throws InvalidArgument no path exists
 [[nodiscard]] SearchResult search(const Samples& a, const Samples& b, const MatchOptions& options,
-                                  Layout layout, const NodeMask& mask = {});
+                                  Layout layout, const Band* band = nullptr);
 
 }  // namespace detail
 }  // namespace v0

@@ -34,7 +34,7 @@ out_has '<svg .*</svg>'
 
 for options in '--method paper' '--norm ruled' '--norm distance' '--norm bottleneck' \
   '--sampling curvature' '--sampling parameter' '--features tangent+curvature' '--reduce 20' '--tolerance 1e-2 --order 3' \
-  '--direction reversed' '--closed no' '--closed pinned' '--closed yes' '--low-pass 0.02' '--coarse-to-fine' \
+  '--direction reversed' '--closed no' '--closed pinned' '--closed yes' '--low-pass 0.02' '--fast' \
   '--no-rotate' '--threads 1' '--method paper --reduce 12 --order 3'; do
   # shellcheck disable=SC2086  # words are wanted
   expect 0 match "${quick[@]}" "$square" "$triangle" --json --quiet $options

@@ -41,13 +41,12 @@ TEST(JsonReport, HasTheFieldsInOrder) {
   const ordered_json report = ordered_json::parse(tandem::format_json_report(example()));
   std::vector<std::string> keys;
   for (const auto& [key, value] : report.items()) keys.push_back(key);
-  EXPECT_EQ(
-      keys,
-      (std::vector<std::string>{
-          "tandem",    "method",        "norm",           "samples", "sampling",       "cost",
-          "mean_cost", "invalid_nodes", "invalid_length", "valid",   "min_dot",        "valid_share",
-          "direction", "shift",         "rotation",       "path",    "correspondence", "reparametrization",
-          "curve",     "seconds"}));
+  EXPECT_EQ(keys, (std::vector<std::string>{
+                      "tandem",   "method",    "norm",           "samples",           "sampling",
+                      "cost",     "mean_cost", "exact",          "invalid_nodes",     "invalid_length",
+                      "valid",    "min_dot",   "valid_share",    "direction",         "shift",
+                      "rotation", "path",      "correspondence", "reparametrization", "curve",
+                      "seconds"}));
 }
 
 TEST(JsonReport, SaysWhatWasFound) {
@@ -59,6 +58,7 @@ TEST(JsonReport, SaysWhatWasFound) {
   EXPECT_EQ(report["sampling"], "parameter");
   EXPECT_EQ(report["cost"], 12.5);
   EXPECT_EQ(report["mean_cost"], 0.25);
+  EXPECT_EQ(report["exact"], true);
   EXPECT_EQ(report["invalid_nodes"], 2);
   EXPECT_EQ(report["invalid_length"], 0.125);
   EXPECT_EQ(report["valid"], true);

@@ -17,17 +17,6 @@ struct NodeTable {
   [[nodiscard]] std::size_t index(std::size_t i, std::size_t j) const noexcept { return i * cols + j; }
 };
 
-/// The nodes that a programme may visit; empty: all of them.
-struct NodeMask {
-  std::size_t rows = 0;
-  std::size_t cols = 0;
-  std::vector<std::uint8_t> allowed;  ///< rows * cols, 0 or 1
-
-  [[nodiscard]] bool allows(std::size_t i, std::size_t j) const noexcept {
-    return allowed.empty() || allowed[i * cols + j] != 0;
-  }
-};
-
 /// One step of the elastic programme: `a` chords of the first curve against `b` of the second.
 struct Step {
   int a = 1;
