@@ -156,11 +156,13 @@ std::string format_rank_page(const ShapeDescriptor& query, const Ranking& rankin
   for (std::size_t k = 0; k < ranking.best.size(); ++k) {
     const RankedShape& each = ranking.best[k];
     const std::string name = escape_html(each.name);
+    // The end of a path tells files apart; the whole of it is in the tooltip.
+    const std::string last = escape_html(each.name.substr(each.name.find_last_of('/') + 1));
     page += fmt::format(R"(<li>{}<div class="cost"><b>{:.4f}</b><span>{}</span></div>)"
                         R"(<div class="how">{}</div><div class="name" title="{}">{}</div></li>)"
                         "\n",
                         each.shape ? picture(*each.shape, &query, &each.comparison) : "",
-                        each.comparison.cost, k + 1, how(each.comparison), name, name);
+                        each.comparison.cost, k + 1, how(each.comparison), name, last);
   }
   return page + "</ol>\n</main>\n</body>\n</html>\n";
 }

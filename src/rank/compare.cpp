@@ -28,69 +28,101 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr int kTurns = 4;
 /// Matching and turning in alternation: it mostly ends after two rounds, and need not go on for ever.
 constexpr int kRounds = 8;
-/// A round that brings less than this, relative to the cost, is the last.
-constexpr double kWorthARound = 1e-3;
+/// What brings less than this is not worth another round; and turns this close are equally good, so that the
+/// first stays: the one that is not mirrored, and the smaller one of a symmetric shape. Relative, and
+/// absolute (the cost of being turned by 0.8 degrees).
+constexpr double kWorthIt = 1e-3;
+constexpr double kLeastGain = 1e-4;
 
-/// The best that was found so far.
-struct Best {
-  double cost = kInfinity;
+/// The query as it is laid on the candidate.
+struct Pose {
   const Variant* variant = nullptr;
   Rotation rotation = Rotation(2);
+  double cost = kInfinity;
   Fit fit;
 };
 
-/// One query variant after the other against one candidate.
+/// The best turn of the query's variants against one candidate: found with few chords, improved with all.
 class Search {
  public:
-  Search(const ShapeDescriptor& candidate, const Variant& own, const CompareOptions& options, bool turns)
-      : candidate_(candidate), own_(own), options_(options), turns_(turns) {}
+  Search(const ShapeDescriptor& candidate, const Variant& own, const CompareOptions& options)
+      : dim_(candidate.dim()), closed_(candidate.is_closed()), own_(own), options_(options) {}
 
-  /// Every turn to begin with; `limit` of those that are not improved afterwards.
-  void begin(const Variant& variant, double limit) {
-    if (!turns_) {
-      attempt(variant, Rotation(candidate_.dim()), std::min(limit, best_.cost));
-      return;
-    }
-    const std::vector<detail::RotationCandidate> turns = detail::rotation_candidates(
-        variant.stretches, own_.stretches, candidate_.dim(), candidate_.is_closed(), kTurns);
-    for (const detail::RotationCandidate& turn : turns) attempt(variant, turn.rotation, best_.cost);
+  /// Without turns: the variant as it lies.
+  void compare(const Variant& variant, double limit) {
+    std::optional<Fit> fit = fit_pair({variant.tangents, variant.lengths}, chords(Level::all), closed_,
+                                      options_, std::min(limit, best_.cost));
+    if (fit && fit->cost < best_.cost) best_ = {&variant, Rotation(dim_), fit->cost, *std::move(fit)};
+  }
+
+  /// The variant at every turn that cross-correlation suggests.
+  void suggest(const Variant& variant) {
+    const std::vector<detail::RotationCandidate> turns =
+        detail::rotation_candidates(joined(variant.coarse), joined(own_.coarse), dim_, closed_, kTurns);
+    for (const detail::RotationCandidate& turn : turns)
+      attempt(Level::few, variant, turn.rotation, worth_it());
     // Tangents that cancel out favour no turn.
-    if (turns.empty()) attempt(variant, Rotation(candidate_.dim()), best_.cost);
+    if (turns.empty()) attempt(Level::few, variant, Rotation(dim_), 0.0);
+  }
+
+  void improve() {
+    if (best_.variant == nullptr) return;
+    alternate(Level::few);
+    const Pose coarse = std::exchange(best_, {});
+    attempt(Level::all, *coarse.variant, coarse.rotation, 0.0);
+    if (best_.variant != nullptr) alternate(Level::all);
+  }
+
+  [[nodiscard]] const Pose& best() const { return best_; }
+
+ private:
+  enum class Level { few, all };
+
+  [[nodiscard]] static Chords chords_of(Level level, const Variant& variant) {
+    if (level == Level::few) return {variant.coarse, variant.coarse_lengths};
+    return {variant.tangents, variant.lengths};
+  }
+  [[nodiscard]] double worth_it() const {
+    return best_.variant == nullptr ? 0.0 : std::max(kWorthIt * best_.cost, kLeastGain);
+  }
+  [[nodiscard]] Chords chords(Level level) const { return chords_of(level, own_); }
+
+  [[nodiscard]] static std::vector<double> joined(const detail::TangentPlanes& tangents) {
+    std::vector<double> planes;
+    for (const std::vector<double>& plane : tangents.planes)
+      planes.insert(planes.end(), plane.begin(), plane.end());
+    return planes;
+  }
+
+  void attempt(Level level, const Variant& variant, const Rotation& rotation, double least_gain) {
+    const Chords as_it_lies = chords_of(level, variant);
+    const detail::TangentPlanes turned = detail::turned(as_it_lies.tangents, rotation);
+    const double limit = best_.variant == nullptr ? kInfinity : best_.cost - least_gain;
+    std::optional<Fit> fit = fit_pair({turned, as_it_lies.lengths}, chords(level), closed_, options_, limit);
+    if (fit && fit->cost < best_.cost) best_ = {&variant, rotation, fit->cost, *std::move(fit)};
   }
 
   /// Turns the best path's tangents onto one another and matches again, until that brings no more.
-  void improve() {
-    for (int round = 0; round < kRounds && turns_ && best_.variant != nullptr; ++round) {
-      const double before = best_.cost;
+  void alternate(Level level) {
+    for (int round = 0; round < kRounds; ++round) {
       const Variant& variant = *best_.variant;
-      const detail::TangentPlanes query = detail::turned(variant.tangents, best_.rotation);
+      const Chords as_it_lies = chords_of(level, variant);
+      const detail::TangentPlanes turned = detail::turned(as_it_lies.tangents, best_.rotation);
       const std::vector<double> sum =
-          detail::covariance({query, variant.lengths}, chords(), options_, best_.fit);
-      const Rotation further = detail::nearest_rotation(sum, candidate_.dim()).rotation;
-      attempt(variant, detail::product(further, best_.rotation), before);
-      if (!(best_.cost < before * (1.0 - kWorthARound))) return;
+          detail::covariance({turned, as_it_lies.lengths}, chords(level), options_, best_.fit);
+      const Rotation further = detail::nearest_rotation(sum, dim_).rotation;
+      const double before = best_.cost;
+      const double gain = worth_it();
+      attempt(level, variant, detail::product(further, best_.rotation), 0.0);
+      if (!(best_.cost < before - gain)) return;
     }
   }
 
-  [[nodiscard]] const Best& best() const { return best_; }
-
- private:
-  [[nodiscard]] Chords chords() const { return {own_.tangents, own_.lengths}; }
-
-  void attempt(const Variant& variant, const Rotation& rotation, double limit) {
-    const detail::TangentPlanes query =
-        turns_ ? detail::turned(variant.tangents, rotation) : variant.tangents;
-    std::optional<Fit> fit =
-        detail::fit_pair({query, variant.lengths}, chords(), candidate_.is_closed(), options_, limit);
-    if (!fit || !(fit->cost < best_.cost)) return;
-    best_ = {fit->cost, &variant, rotation, *std::move(fit)};
-  }
-
-  const ShapeDescriptor& candidate_;
+  int dim_;
+  bool closed_;
   const Variant& own_;
   const CompareOptions& options_;
-  bool turns_;
-  Best best_;
+  Pose best_;
 };
 
 }  // namespace
@@ -156,12 +188,17 @@ std::optional<Comparison> ShapeComparer::compare(const ShapeDescriptor& candidat
   }
   const Variant own = detail::make_variant(candidate, false, false, impl_->options);
   if (impl_->is_hopeless(candidate, own, limit)) return std::nullopt;
-  Search search(candidate, own, impl_->options, impl_->turns);
+  Search search(candidate, own, impl_->options);
   for (const Variant& variant : impl_->variants) {
-    if (impl_->applies(variant, candidate)) search.begin(variant, limit);
+    if (!impl_->applies(variant, candidate)) continue;
+    if (impl_->turns) {
+      search.suggest(variant);
+    } else {
+      search.compare(variant, limit);
+    }
   }
-  search.improve();
-  const Best& best = search.best();
+  if (impl_->turns) search.improve();
+  const Pose& best = search.best();
   if (best.variant == nullptr || best.fit.path.empty() || best.cost > limit) {
     // No turn at all fits (tangents that cancel out), or no elastic path spans the numbers of nodes.
     if (limit < kInfinity) return std::nullopt;

@@ -16,13 +16,14 @@ struct Variant {
   bool reversed = false;
   TangentPlanes tangents;       ///< m
   std::vector<double> lengths;  ///< m, sum 1
-  /// Mean tangents over equally long stretches, coordinate by coordinate: dim planes of kStretches each.
-  std::vector<double> stretches;
+  /// The shape in kStretches chords of one length, for the search of turns; empty without one.
+  TangentPlanes coarse;
+  std::vector<double> coarse_lengths;
   DirectionBound bound;  ///< planar shapes only
 };
 
-/// Enough to tell turns apart; they are improved afterwards.
-inline constexpr int kStretches = 64;
+/// Enough to tell turns apart; the best one is improved afterwards with all chords.
+inline constexpr int kStretches = 32;
 
 /// The weights of the nodes in the sums that the bound is about.
 [[nodiscard]] std::vector<double> node_weights(const std::vector<double>& lengths,
