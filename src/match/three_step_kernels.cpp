@@ -37,14 +37,13 @@ class Window {
  public:
   Window(const Channel& channel, int start, int rows, int width) {
     const auto n = static_cast<std::size_t>(rows);
-    first_.reserve(n + 1);
-    last_.reserve(n + 1);
-    for (int i = start; i < start + rows; ++i) {
-      first_.push_back(channel.first_column(i));
-      last_.push_back(channel.last_column(i, width));
-    }
-    first_.push_back(width);
-    last_.push_back(width - 1);
+    first_.assign(n + 1, 0);
+    last_.assign(n + 1, width - 1);
+    first_[n] = width;
+    for (std::size_t i = 0; i < n && channel.below != nullptr; ++i)
+      first_[i] = channel.first_column(start + static_cast<int>(i));
+    for (std::size_t i = 0; i < n && channel.above != nullptr; ++i)
+      last_[i] = channel.last_column(start + static_cast<int>(i), width);
   }
 
   HWY_INLINE int first(int row) const { return first_[static_cast<std::size_t>(row)]; }
@@ -80,16 +79,17 @@ class DiagonalSpan {
 
 /// Moves of a path's cells, as two bits each: whether the best predecessor is the diagonal one, and whether
 /// it is the left one.
+template <class V>
 class Moves {
  public:
-  Moves(std::size_t lanes, std::size_t diagonals) : lanes_(lanes) { rows_.reserve(diagonals); }
+  static constexpr std::size_t kLanes = hn::MaxLanes(Lanes<V>());
+  static constexpr std::size_t kVectorBytes = kLanes < 4 ? 1 : kLanes / 4;
 
-  [[nodiscard]] static constexpr std::size_t bytes(std::size_t lanes) {
-    return std::max<std::size_t>(1, 2 * lanes / 8);
-  }
+  explicit Moves(std::size_t diagonals) { rows_.reserve(diagonals); }
+
   /// Room for an antidiagonal whose columns begin at `first`.
   HWY_INLINE std::uint8_t* add(std::size_t first, std::size_t vectors) {
-    const std::size_t size = vectors * bytes(lanes_);
+    const std::size_t size = vectors * kVectorBytes;
     if (HWY_UNLIKELY(size > left_)) grow(size);
     std::uint8_t* const bits = next_;
     next_ += size;
@@ -108,12 +108,12 @@ class Moves {
       if (i == 0 && j == 0) break;
       const Row& row = rows_[static_cast<std::size_t>(i + j)];
       const auto at = static_cast<std::size_t>(j) - row.first;
-      const std::uint8_t* bits = row.bits + at / lanes_ * bytes(lanes_);
-      const std::size_t lane = at % lanes_;
+      const std::uint8_t* bits = row.bits + at / kLanes * kVectorBytes;
+      const std::size_t lane = at % kLanes;
       const auto bit = [&](std::size_t n) { return (bits[n / 8] >> (n % 8)) & 1; };
       // As store_moves leaves them.
-      const bool diagonal = bit(lanes_ < 8 ? 2 * lane : lane) != 0;
-      const bool left = !diagonal && bit(lanes_ < 8 ? 2 * lane + 1 : lanes_ + lane) != 0;
+      const bool diagonal = bit(kLanes < 8 ? 2 * lane : lane) != 0;
+      const bool left = !diagonal && bit(kLanes < 8 ? 2 * lane + 1 : kLanes + lane) != 0;
       if (!left) --i;
       if (diagonal || left) --j;
     }
@@ -140,7 +140,6 @@ class Moves {
     left_ = chunk;
   }
 
-  std::size_t lanes_;
   std::uint8_t* next_ = nullptr;
   std::size_t left_ = 0;
   std::size_t total_ = 0;
@@ -192,7 +191,7 @@ HWY_INLINE void relax_diagonal(const V* costs, const V* before2, const V* before
     }
     const auto best = hn::Min(left, hn::Min(diagonal, up));
     store_moves<V>(hn::Eq(best, diagonal), hn::Eq(best, left), bits);
-    bits += Moves::bytes(lanes);
+    bits += Moves<V>::kVectorBytes;
     return hn::Add(best, cost);
   };
   const auto end = static_cast<std::size_t>(last + 1);
@@ -280,7 +279,7 @@ TracedCost<V> trace(const TraceTask<V>& task, Diagonals& source, const Channel& 
   V* before2 = buffer.data() + line;
   V* before1 = before2 + size;
   V* out = before1 + size;
-  Moves moves(lanes, static_cast<std::size_t>(diagonals));
+  Moves<V> moves(static_cast<std::size_t>(diagonals));
   const Window window(channel, task.first_row, task.rows, width);
   DiagonalSpan span(window);
   moves.add(0, 0);
