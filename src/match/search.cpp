@@ -210,7 +210,8 @@ class CandidateRuns {
     std::vector<std::size_t> rest(candidates_.size());
     std::iota(rest.begin(), rest.end(), std::size_t{0});
     const Path* beat = nullptr;
-    if (layout_ != Layout::open) {
+    // The three-step programmes take the same time whatever is to be beaten: they run at once.
+    if (layout_ != Layout::open && options_.method == Method::elastic) {
       const bool opposed = signed_area(a_) * signed_area(b_) < 0.0;
       const auto likely = std::find_if(rest.begin(), rest.end(),
                                        [&](std::size_t k) { return candidates_[k].reversed == opposed; });
