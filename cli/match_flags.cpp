@@ -17,9 +17,9 @@ using tandem::NormKind;
 using tandem::ReductionOptions;
 using tandem::Sampling;
 
-// The tables take about 20 bytes per pair of nodes (paper) and 800 (elastic): these numbers need 2 and 3 GB.
+// The tables take about 20 bytes per pair of nodes (paper) and up to 50 (elastic): these numbers need 2 GB.
 constexpr int kMostPaperSamples = 10'000;
-constexpr int kMostElasticSamples = 2'000;
+constexpr int kMostElasticSamples = 6'000;
 constexpr int kMostCoefficients = 10'000;
 constexpr int kHighestOrder = 12;       // composition multiplies degrees; beyond this doubles do not carry it
 constexpr int kPaperCoefficients = 20;  // [C] section 3

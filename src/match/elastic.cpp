@@ -2,7 +2,8 @@
 
 #include <limits>
 
-#include "match/edge_rows.h"
+#include "match/elastic_programme.h"
+#include "tandem/error.h"
 
 namespace tandem {
 inline namespace v0 {
@@ -35,6 +36,16 @@ EdgeTable edge_costs(const Samples& a, const Samples& b, const NodeTable& chord_
     }
   }
   return table;
+}
+
+Path elastic_path(const Samples& a, const Samples& b, const NodeTable& chord_costs,
+                  const ElasticOptions& options, Aggregate aggregate, const Progress& progress,
+                  const Path* beat) {
+  if (b.cyclic && !a.cyclic) {
+    throw InvalidArgument("the second curve is a loop and the first is not: exchange them");
+  }
+  detail::EdgeRows edges(a, b, chord_costs, options, aggregate);
+  return detail::best_elastic_path(edges, aggregate, nullptr, progress, beat);
 }
 
 }  // namespace v0

@@ -52,8 +52,7 @@ Samples to_samples(const Chords& chords, bool closed) {
 
 std::optional<Fit> fit_elastic(const Chords& a, const Chords& b, bool closed, double limit) {
   const NodeTable table = tangent_costs(a.tangents, b.tangents);
-  const EdgeTable edges = edge_costs(to_samples(a, closed), to_samples(b, closed), table);
-  Path path = closed ? closed_path(edges) : open_path(edges);
+  Path path = elastic_path(to_samples(a, closed), to_samples(b, closed), table);
   if (path.nodes.empty()) path.cost = std::numeric_limits<double>::infinity();
   if (!(path.cost <= limit)) return std::nullopt;
   return Fit{path.cost, std::move(path.nodes)};
