@@ -28,7 +28,8 @@ struct Ending {
 };
 constexpr std::array kEndings = {Ending{".json", Format::json}, Ending{".svg", Format::svg},
                                  Ending{".html", Format::html}, Ending{".itd", Format::itd},
-                                 Ending{".tdx", Format::index}, Ending{".jsonl", Format::json_lines}};
+                                 Ending{".tdx", Format::index}, Ending{".jsonl", Format::json_lines},
+                                 Ending{".npy", Format::npy},   Ending{".csv", Format::csv}};
 constexpr std::array<std::string_view, 3> kLater = {".lottie.json", ".css", ".gif"};
 
 std::string words(const std::vector<Format>& allowed, std::string_view dot) {

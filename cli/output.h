@@ -7,7 +7,7 @@
 
 namespace cli {
 
-enum class Format { json, json_lines, svg, html, itd, index, directory };
+enum class Format { json, json_lines, svg, html, itd, index, npy, csv, directory };
 
 /// The format of an output: `to` when given, else by the ending of `path`; "-" is JSON, or what
 /// else the command writes.

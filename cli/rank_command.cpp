@@ -4,9 +4,11 @@
 #include <string>
 #include <vector>
 
+#include "all_pairs.h"
 #include "commands.h"
 #include "corpus_stream.h"
 #include "interrupt.h"
+#include "launch.h"
 #include "messages.h"
 #include "output.h"
 #include "progress_bar.h"
@@ -95,6 +97,10 @@ Ranking rank_candidates(const Command& command, const ShapeDescriptor& query, ta
 }
 
 Status run(const Command& command) {
+  if (command.rank.all_pairs) return run_all_pairs(command);
+  if (find_launch().is_shared()) {
+    throw UsageError("several processes share the work of rank --all-pairs only; start one for a query");
+  }
   const Messages messages(command.common.quiet);
   if (command.inputs.size() < 2) {
     throw UsageError(fmt::format("rank takes a query and one or more candidates, not {} name{}",
@@ -133,9 +139,10 @@ void add_rank_command(CLI::App& program, Command& command) {
                           "The query, then candidates: shapes, directories, fonts, .jsonl or .tdx files");
   command.app
       ->add_option("-o,--output", command.output,
-                   ".html (pictures of the best), .jsonl, or - for standard output")
+                   ".html (pictures of the best), .jsonl, or - for standard output; all pairs: .npy, .csv")
       ->type_name("OUT");
-  command.app->add_option("--to", command.to, "html, jsonl: whatever the ending of OUT")->type_name("FORMAT");
+  command.app->add_option("--to", command.to, "html, jsonl, npy, csv: whatever the ending of OUT")
+      ->type_name("FORMAT");
   add_common_flags(*command.app, command.common);
   add_rank_flags(*command.app, command.rank);
   command.run = run;

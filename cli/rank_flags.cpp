@@ -26,6 +26,8 @@ void add_rank_flags(CLI::App& command, RankFlags& flags) {
   command.add_flag("--no-rotate", flags.no_rotate, "Compare shapes as they lie");
   command.add_flag("--mirror", flags.mirror, "A mirrored shape is the same shape, too");
   command.add_flag("--exhaustive", flags.exhaustive, "Prune nothing: slower, the same answer");
+  command.add_flag("--all-pairs", flags.all_pairs,
+                   "No query: every candidate against every other, into -o FILE.npy or FILE.csv");
   add_samples_flag(command, flags);
   add_threads_flag(command, flags);
 }

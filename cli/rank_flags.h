@@ -18,6 +18,7 @@ struct RankFlags {
   bool no_rotate = false;
   bool mirror = false;
   bool exhaustive = false;
+  bool all_pairs = false;
 };
 
 void add_rank_flags(CLI::App& command, RankFlags& flags);

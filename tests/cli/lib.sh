@@ -58,6 +58,27 @@ only() {
   [[ $found == "$wanted" ]] || fail "files wanted: $wanted; found: $found"
 }
 
+# polygons COUNT: closed polygons as JSON lines, no two alike, the same ones every time.
+polygons() {
+  awk -v count="$1" '
+    function random() { seed = (seed * 16807) % 2147483647; return seed / 2147483647 }
+    BEGIN {
+      seed = 20240731
+      for (k = 1; k <= count; ++k) {
+        corners = 5 + int(8 * random())
+        first = ""; points = ""
+        for (i = 0; i < corners; ++i) {
+          angle = 6.283185307 * (i + 0.6 * random() - 0.3) / corners
+          radius = 0.4 + 1.6 * random()
+          point = sprintf("[%.9f,%.9f]", radius * cos(angle), radius * sin(angle))
+          if (i == 0) first = point
+          points = points point ","
+        }
+        printf "{\"type\": \"bspline\", \"degree\": 1, \"points\": [%s%s], \"name\": \"polygon %d\"}\n", points, first, k
+      }
+    }'
+}
+
 finish() {
   echo "$checks checks, $failures failures"
   ((checks > 0 && failures == 0)) || exit 1

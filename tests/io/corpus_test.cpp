@@ -11,6 +11,7 @@
 #include "tandem/io/files.h"
 #include "tandem/io/itd.h"
 #include "tandem/io/json.h"
+#include "tandem/io/pair_journal.h"
 #include "tandem/io/path_data.h"
 #include "tandem/io/svg.h"
 #include "tandem/io/tdx.h"
@@ -33,6 +34,8 @@ const Corpus kCorpora[] = {
     {"json", [](const std::string& text) { (void)tandem::parse_json_curves(text); }},
     {"itd", [](const std::string& text) { (void)tandem::parse_itd(text); }},
     {"csv", [](const std::string& text) { (void)tandem::parse_csv(text); }},
+    {"pair_journal",
+     [](const std::string& text) { (void)tandem::scan_pair_journal(text, 7, tandem::PairTiles(6)); }},
 };
 
 TEST(Corpus, IsReadOrRefused) {
