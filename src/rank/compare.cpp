@@ -139,13 +139,13 @@ struct ShapeComparer::Impl {
     return !(query.is_oriented() && candidate.is_oriented()) || variant.mirrored == variant.reversed;
   }
 
-  /// Certain to cost more, before anything is matched.
-  [[nodiscard]] bool is_hopeless(const ShapeDescriptor& candidate, const Variant& own, double limit) const {
-    if (candidate.dim() != 2 || limit == kInfinity) return false;
-    return std::all_of(variants.begin(), variants.end(), [&](const Variant& variant) {
-      return !applies(variant, candidate) ||
-             detail::DirectionBound::lower_bound(variant.bound, own.bound, options) > limit;
-    });
+  /// @throws InvalidArgument
+  void check_comparable(const ShapeDescriptor& candidate) const {
+    if (candidate.dim() == query.dim() && candidate.is_closed() == query.is_closed()) return;
+    const auto words = [](const ShapeDescriptor& shape) {
+      return fmt::format("{} curve of dimension {}", shape.is_closed() ? "a closed" : "an open", shape.dim());
+    };
+    throw InvalidArgument(fmt::format("{} cannot be compared with {}", words(query), words(candidate)));
   }
 };
 
@@ -178,16 +178,22 @@ bool ShapeComparer::is_comparable(const ShapeDescriptor& candidate) const noexce
   return candidate.dim() == impl_->query.dim() && candidate.is_closed() == impl_->query.is_closed();
 }
 
-std::optional<Comparison> ShapeComparer::compare(const ShapeDescriptor& candidate, double limit) const {
-  if (!is_comparable(candidate)) {
-    const auto words = [](const ShapeDescriptor& shape) {
-      return fmt::format("{} curve of dimension {}", shape.is_closed() ? "a closed" : "an open", shape.dim());
-    };
-    throw InvalidArgument(
-        fmt::format("{} cannot be compared with {}", words(impl_->query), words(candidate)));
+double ShapeComparer::lower_bound(const ShapeDescriptor& candidate) const {
+  impl_->check_comparable(candidate);
+  if (candidate.dim() != 2) return 0.0;
+  const detail::DirectionBound own(detail::to_planes(candidate.tangents()),
+                                   detail::node_weights(candidate.lengths(), impl_->options));
+  double least = kInfinity;
+  for (const Variant& variant : impl_->variants) {
+    if (impl_->applies(variant, candidate))
+      least = std::min(least, detail::DirectionBound::lower_bound(variant.bound, own, impl_->options));
   }
+  return std::max(0.0, least);
+}
+
+std::optional<Comparison> ShapeComparer::compare(const ShapeDescriptor& candidate, double limit) const {
+  impl_->check_comparable(candidate);
   const Variant own = detail::make_variant(candidate, false, false, impl_->options);
-  if (impl_->is_hopeless(candidate, own, limit)) return std::nullopt;
   Search search(candidate, own, impl_->options);
   for (const Variant& variant : impl_->variants) {
     if (!impl_->applies(variant, candidate)) continue;

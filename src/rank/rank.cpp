@@ -65,13 +65,16 @@ Ranking rank(const ShapeDescriptor& query, const CandidateSource& source, const 
   Ranking ranking;
   const auto work = [&](const detail::Described& each, std::size_t index) {
     if (!comparer.is_comparable(*each.shape)) return;
-    std::optional<Comparison> comparison = comparer.compare(*each.shape, list.limit());
+    const double limit = list.limit();
+    if (limit < std::numeric_limits<double>::infinity() && comparer.lower_bound(*each.shape) > limit) {
+      ++pruned;
+      return;
+    }
+    std::optional<Comparison> comparison = comparer.compare(*each.shape, limit);
     if (comparison) {
       const std::string& name = each.shape->name();
       list.add({name.empty() ? each.candidate.name : name, each.shape->label(), index, *std::move(comparison),
                 options.keep_shapes ? each.shape : std::nullopt});
-    } else {
-      ++pruned;
     }
   };
   const auto collect = [&](const detail::Described& each, std::size_t) {

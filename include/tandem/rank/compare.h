@@ -49,6 +49,9 @@ class TANDEM_EXPORT ShapeComparer {
   [[nodiscard]] const ShapeDescriptor& query() const noexcept;
   /// Whether the two can be compared at all: of one dimension, both closed or both open.
   [[nodiscard]] bool is_comparable(const ShapeDescriptor& candidate) const noexcept;
+  /// No more than the cost, for the price of a look at the directions; 0 outside the plane.
+  /// @throws InvalidArgument the two are not comparable
+  [[nodiscard]] double lower_bound(const ShapeDescriptor& candidate) const;
   /// Nothing when the cost is certain to be above `limit`; otherwise the result does not depend on it.
   /// @throws InvalidArgument the two are not comparable
   [[nodiscard]] std::optional<Comparison> compare(

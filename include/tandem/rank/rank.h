@@ -59,7 +59,7 @@ struct Ranking {
   std::size_t candidates = 0;     ///< handed out by the source
   std::size_t failed = 0;         ///< could not be described
   std::size_t incomparable = 0;   ///< open against closed, or of another dimension
-  std::size_t pruned = 0;         ///< certain to be worse than the best, and left out for that reason alone
+  std::size_t pruned = 0;         ///< left out by their lower bound, before anything was matched
   bool cancelled = false;         ///< progress said stop: `best` is that of the candidates so far
 };
 
