@@ -14,6 +14,7 @@
 #include "tandem/match/match.h"
 #include "tandem/match/rotation.h"
 #include "tandem/morph/morph.h"
+#include "tandem/morph/moving_frame.h"
 #include "tandem/morph/path_morph.h"
 #include "tandem/progress.h"
 #include "tandem/rank/all_pairs.h"

@@ -43,6 +43,18 @@ std::string contour_data(const PathContour& contour, int precision) {
   return text + "]}";
 }
 
+// [x, y, degrees] of the frame at every key.
+std::string pose_data(const PathMorph& morph, int precision) {
+  constexpr int kAngleDecimals = 6;
+  std::string text = "[";
+  for (const FramePose& pose : morph.poses()) {
+    if (text.size() > 1) text += ',';
+    text += fmt::format("[{},{},{}]", format_number(pose.center.x, precision),
+                        format_number(pose.center.y, precision), format_number(pose.degrees, kAngleDecimals));
+  }
+  return text + "]";
+}
+
 std::string morph_data(const PathMorph& morph, const AnimationOptions& options) {
   const View view = view_of(morph.box());
   const int precision = decimals_for(view.size());
@@ -59,7 +71,9 @@ std::string morph_data(const PathMorph& morph, const AnimationOptions& options) 
     if (c > 0) text += ",\n";
     text += contour_data(morph.contours()[c], precision);
   }
-  return text + "]}";
+  text += ']';
+  if (morph.turns()) text += ",\n\"poses\":" + pose_data(morph, precision);
+  return text + '}';
 }
 
 }  // namespace

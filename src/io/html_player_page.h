@@ -96,24 +96,33 @@ const byId = (id) => document.getElementById(id);
 const size = Math.max(morph.view[2], morph.view[3]);
 const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
 
-// Between key and key + 1, at local: the same affine blend as in the library.
+// The affine blend of the library: between key and key + 1, at local, turned and moved with the frame.
 function locate(s) {
   const x = s * last;
   const key = Math.min(Math.max(Math.floor(x), 0), last - 1);
   return [key, x - key];
 }
 
+function frame(key, local) {
+  if (!morph.poses) return (x, y) => [x, y];
+  const [cx, cy, degrees] = morph.poses[key].map((a, i) => (1 - local) * a + local * morph.poses[key + 1][i]);
+  const cosine = Math.cos(degrees * Math.PI / 180), sine = Math.sin(degrees * Math.PI / 180);
+  return (x, y) => [cosine * x - sine * y + cx, sine * x + cosine * y + cy];
+}
+
 function blend(s) {
   const [key, local] = locate(s);
+  const place = frame(key, local);
   const parts = { fill: "", stroke: "" };
   for (const contour of morph.contours) {
     const a = contour.keys[key], b = contour.keys[key + 1];
     let at = 0;
-    const next = () => { const x = (1 - local) * a[at] + local * b[at]; at++; return +x.toPrecision(8); };
-    let d = "M" + next() + " " + next();
+    const next = () => (1 - local) * a[at] + local * b[at++];
+    const point = () => place(next(), next()).map((x) => +x.toPrecision(8)).join(" ");
+    let d = "M" + point();
     for (const command of contour.commands) {
-      d += command + next() + " " + next();
-      if (command === "C") d += " " + next() + " " + next() + " " + next() + " " + next();
+      d += command + point();
+      if (command === "C") d += " " + point() + " " + point();
     }
     parts[contour.closed ? "fill" : "stroke"] += contour.closed ? d + "Z" : d;
   }

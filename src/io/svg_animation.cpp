@@ -12,6 +12,9 @@ namespace tandem {
 inline namespace v0 {
 namespace {
 
+// Of degrees: 1e-6 of them move nothing on a screen.
+constexpr int kAngleDecimals = 6;
+
 // The keys in the order in which the loop runs through them.
 std::vector<std::size_t> loop_of(std::size_t key_count, bool alternate) {
   std::vector<std::size_t> order;
@@ -72,6 +75,22 @@ std::string format_animated_svg(const PathMorph& morph, const AnimationOptions& 
 
   std::string text =
       fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"{}\">\n", format_view_box(view));
+  const auto animate_frame = [&](const char* type, const auto& value) {
+    const std::string values =
+        joined(order.size(), [&](std::size_t i) { return value(morph.poses()[order[i]]); });
+    text += fmt::format(
+        "<g transform=\"{0}({1})\">\n<animateTransform attributeName=\"transform\" type=\"{0}\" {2} "
+        "values=\"{3}\"/>\n",
+        type, value(morph.poses().front()), when, values);
+  };
+  // Turned evenly about a centre that moves evenly: what a browser does by itself, to the dot.
+  if (morph.turns()) {
+    animate_frame("translate", [&](const FramePose& pose) {
+      return format_number(pose.center.x, precision) + " " + format_number(pose.center.y, precision);
+    });
+    animate_frame("rotate",
+                  [](const FramePose& pose) { return format_number(pose.degrees, kAngleDecimals); });
+  }
   const auto animate = [&](const std::string& attributes, std::string PathDataParts::*part) {
     if ((keys.front().*part).empty()) return;
     const std::string values = joined(order.size(), [&](std::size_t i) { return keys[order[i]].*part; });
@@ -80,7 +99,7 @@ std::string format_animated_svg(const PathMorph& morph, const AnimationOptions& 
   };
   animate(fill_attributes(morph.fill_rule()), &PathDataParts::filled);
   animate(stroke_attributes(view), &PathDataParts::stroked);
-  return text + "</svg>\n";
+  return text + (morph.turns() ? "</g></g>\n</svg>\n" : "</svg>\n");
 }
 
 }  // namespace v0

@@ -97,6 +97,14 @@ Direction common_direction(const Matches& matches) {
   return reversed > forward ? Direction::reversed : Direction::forward;
 }
 
+// Whether turns are to be looked for.
+bool wants_turns(const MatchOptions& options) {
+  if (!options.rotation.empty()) return false;
+  if (options.rotate) return *options.rotate;
+  const auto* kind = std::get_if<NormKind>(&options.norm);
+  return kind == nullptr || *kind == NormKind::tangent;
+}
+
 // Index of the nearest key that has the contour, the earlier one on a tie.
 std::size_t nearest_with(std::span<const Shape> keys, std::size_t contour, std::size_t key) {
   for (std::size_t distance = 0; distance < keys.size(); ++distance) {
@@ -139,20 +147,22 @@ std::vector<Curve> completed(const Chain& chain, std::span<const Shape> keys, st
 
 class KeyMatcher {
  public:
-  KeyMatcher(std::span<const Shape> keys, bool one_direction, const MatchOptions& options,
+  KeyMatcher(std::span<const Shape> keys, bool one_direction, const MorphOptions& options,
              std::size_t contours)
       : keys_(keys),
         one_direction_(one_direction),
-        options_(options),
+        least_gain_(options.least_gain),
+        options_(options.match),
         chains_(contours, Chain{std::vector<std::optional<Curve>>(keys.size()), {}}),
-        work_(options.progress, (keys.size() - 1) * contours) {}
+        work_(options_.progress, (keys.size() - 1) * (contours + (wants_turns(options_) ? 1 : 0))) {}
 
-  // Puts `key` in step with the one before it; nothing when cancelled.
+  // Puts `key` in step with the one before it, the first one with none; nothing when cancelled.
   std::optional<Matches> add(std::size_t key) {
     Matches matches(chains_.size());
+    if (key > 0 && !find_turn(key)) return std::nullopt;
     for (std::size_t c = 0; c < chains_.size(); ++c) {
-      if (!chains_[c].last || *chains_[c].last + 1 != key || !has_extent(source(keys_[key], c))) continue;
-      MatchOptions own = options_;
+      if (!is_pair(key, c)) continue;
+      MatchOptions own = turned_options();
       own.progress = work_.part();
       matches[c] = match_next(chains_[c], *source(keys_[key], c), key, c, own);
       if (matches[c]->report.cancelled) return std::nullopt;
@@ -178,13 +188,56 @@ class KeyMatcher {
     for (std::size_t c = 0; c < chains_.size(); ++c) contours.push_back(completed(chains_[c], keys_, c));
     return contours;
   }
+  // From each key to the next, as far as they were added.
+  [[nodiscard]] const std::vector<Rotation>& rotations() const { return rotations_; }
 
  private:
+  // Whether the contour is there in `key` and in the key before it.
+  [[nodiscard]] bool is_pair(std::size_t key, std::size_t contour) const {
+    return chains_[contour].last && *chains_[contour].last + 1 == key &&
+           has_extent(source(keys_[key], contour));
+  }
+
+  // The common turn of all contours from the key before to `key`; false when cancelled.
+  bool find_turn(std::size_t key) {
+    const int dim = keys_[key].dim();
+    rotations_.push_back(options_.rotation.empty() ? Rotation(dim) : Rotation(dim, options_.rotation));
+    if (!wants_turns(options_)) return true;
+    std::vector<Curve> a;
+    std::vector<Curve> b;
+    for (std::size_t c = 0; c < chains_.size(); ++c) {
+      if (!is_pair(key, c)) continue;
+      a.push_back(chains_[c].newest());
+      b.push_back(*source(keys_[key], c));
+    }
+    bool cancelled = false;
+    MatchOptions own = options_;
+    if (own.progress) {
+      own.progress = [&cancelled, part = work_.part()](double fraction) {
+        cancelled = !part(fraction);
+        return !cancelled;
+      };
+    }
+    try {
+      if (!a.empty()) rotations_.back() = common_rotation(a, b, own, least_gain_);
+    } catch (const InvalidArgument& error) {
+      throw InvalidArgument(fmt::format("keys {} and {}: {}", key - 1, key, error.what()));
+    }
+    work_.finish_part();
+    return !cancelled;
+  }
+
+  [[nodiscard]] MatchOptions turned_options() const {
+    MatchOptions own = options_;
+    own.rotation = rotations_.back().values();
+    return own;
+  }
+
   // Matches the filled contours that went the other way once more; false when cancelled.
   bool turn_all(Matches& matches, std::size_t key, Direction direction) {
     for (std::size_t c = 0; c < matches.size(); ++c) {
       if (!matches[c] || !is_filled(*matches[c]) || matches[c]->report.direction == direction) continue;
-      MatchOptions own = options_;
+      MatchOptions own = turned_options();
       own.direction = direction;
       own.progress = work_.again();
       matches[c] = match_next(chains_[c], *source(keys_[key], c), key, c, own);
@@ -202,14 +255,16 @@ class KeyMatcher {
 
   std::span<const Shape> keys_;
   bool one_direction_;
+  double least_gain_;
   const MatchOptions& options_;
   std::vector<Chain> chains_;
+  std::vector<Rotation> rotations_;
   Work work_;
 };
 
 }  // namespace
 
-InStep put_in_step(std::span<const Shape> keys, bool one_direction, const MatchOptions& options) {
+InStep put_in_step(std::span<const Shape> keys, bool one_direction, const MorphOptions& options) {
   std::size_t contours = 0;
   for (const Shape& key : keys) contours = std::max(contours, key.contours.size());
   InStep result;
@@ -224,6 +279,7 @@ InStep put_in_step(std::span<const Shape> keys, bool one_direction, const MatchO
     if (key > 0) result.matches[key - 1] = std::move(*matches);
   }
   result.contours = matcher.take();
+  result.rotations = matcher.rotations();
   return result;
 }
 

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "morph/in_step.h"
+#include "morph/length_center.h"
 #include "tandem/curve/compatible.h"
 #include "tandem/curve/edit.h"
 #include "tandem/error.h"
@@ -40,13 +41,22 @@ FillRule common_fill_rule(std::span<const Shape> keys) {
   return any ? FillRule::evenodd : FillRule::nonzero;
 }
 
+MovingFrame frame_between(std::span<const Curve> a, std::span<const Curve> b, const Rotation& rotation) {
+  if (rotation.is_identity()) return MovingFrame(rotation.dim());
+  return {length_center(a), length_center(b), rotation};
+}
+
 }  // namespace
 
 Morph::Morph(std::span<const Shape> keys, const MorphOptions& options) : key_count_(keys.size()) {
   check_keys(keys);
   fill_rule_ = common_fill_rule(keys);
-  InStep in_step = put_in_step(keys, fill_rule_ == FillRule::nonzero, options.match);
+  InStep in_step = put_in_step(keys, fill_rule_ == FillRule::nonzero, options);
   cancelled_ = in_step.cancelled;
+  if (cancelled_) return;
+  for (std::size_t key = 0; key + 1 < keys.size(); ++key) {
+    frames_.push_back(frame_between(keys[key].contours, keys[key + 1].contours, in_step.rotations[key]));
+  }
   contours_ = std::move(in_step.contours);
   matches_ = std::move(in_step.matches);
 }
@@ -63,6 +73,7 @@ Morph::Morph(const Curve& a, const Curve& b, const Match& match) : key_count_(2)
   const Curve moved = domain == a.domain() ? a : move_seam(a, domain.lo);
   const std::vector<Curve> pair{moved, match.curve};
   contours_.push_back(with_common_denominator(pair));
+  frames_.push_back(frame_between({&a, 1}, {&b, 1}, Rotation(a.dim(), match.report.rotation)));
 }
 
 Shape Morph::at(double s) const {
@@ -78,11 +89,9 @@ Shape Morph::at(double s) const {
       shape.contours.push_back(local == 0.0 ? a : b);
       continue;
     }
-    Points points = a.control_points();
-    const std::span<double> blend = points.data();
-    const std::span<const double> other = b.control_points().data();
-    for (std::size_t i = 0; i < blend.size(); ++i) blend[i] = (1.0 - local) * blend[i] + local * other[i];
-    shape.contours.emplace_back(a.degree(), a.knots(), std::move(points), a.weights());
+    shape.contours.emplace_back(a.degree(), a.knots(),
+                                affine_blend(frames_[key], a.control_points(), b.control_points(), local),
+                                a.weights());
   }
   return shape;
 }

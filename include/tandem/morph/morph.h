@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tandem/match/match.h"
+#include "tandem/morph/moving_frame.h"
 #include "tandem/shape/shape.h"
 #include "tandem/tandem_export.h"
 
@@ -13,13 +14,20 @@ namespace tandem {
 inline namespace v0 {
 
 struct MorphOptions {
+  /// `rotate` empty: turns are looked for in the tangent norm and in a caller's own; the others say where the
+  /// curves lie.
   MatchOptions match = {};
+  /// The keys blend as they lie unless a turn lowers the cost of matching them by this share (see
+  /// common_rotation()): in-betweens should not spin for a trifle. For a rotation that is given it does not
+  /// count.
+  double least_gain = 0.3;
 };
 
 /// A morph through n key shapes: matching happens once, in the constructor; at(s) only blends.
 ///
 /// Affine blend ([C] eq. (1), spec C2, C15a) of the matched contours, which are brought into one function
-/// space (common degree, knots and denominator, exact). Contours are paired in order; one without a partner
+/// space (common degree, knots and denominator, exact). All contours of a key turn together, and the blend is
+/// made in the frame that turns with them (MovingFrame). Contours are paired in order; one without a partner
 /// grows from, or shrinks to, its own centre. Key i stands at s = i / (n - 1). Under the nonzero fill rule,
 /// which tells holes by their direction, the closed contours of a key are all matched forward or all
 /// reversed.
@@ -28,7 +36,7 @@ class TANDEM_EXPORT Morph {
   /// Matches each shape with the next (spec C14). @throws InvalidArgument fewer than two keys, a key without
   /// contours, different dimensions, and as match()
   explicit Morph(std::span<const Shape> keys, const MorphOptions& options = {});
-  /// The morph of two curves that are already matched.
+  /// The morph of two curves that are already matched, with the match's rotation.
   Morph(const Curve& a, const Curve& b, const Match& match);
 
   /// The in-between at s. s < 0 and s > 1 extrapolate along the first and the last pair of keys.
@@ -40,6 +48,8 @@ class TANDEM_EXPORT Morph {
   [[nodiscard]] std::size_t contour_count() const noexcept { return contours_.size(); }
   /// The compatible curves of one contour, one per key, over one domain.
   [[nodiscard]] std::span<const Curve> keys(std::size_t contour) const noexcept { return contours_[contour]; }
+  /// The frame of the blend from key `key` to key + 1.
+  [[nodiscard]] const MovingFrame& frame(std::size_t key) const noexcept { return frames_[key]; }
   /// The match of key `key` with key + 1 in `contour`; nothing where a contour has no partner.
   [[nodiscard]] const std::optional<Match>& match(std::size_t key, std::size_t contour) const {
     return matches_[key][contour];
@@ -52,6 +62,7 @@ class TANDEM_EXPORT Morph {
   FillRule fill_rule_ = FillRule::nonzero;
   bool cancelled_ = false;
   std::vector<std::vector<Curve>> contours_;                ///< [contour][key]
+  std::vector<MovingFrame> frames_;                         ///< key_count - 1
   std::vector<std::vector<std::optional<Match>>> matches_;  ///< [key][contour], key_count - 1 rows
 };
 
