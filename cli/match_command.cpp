@@ -12,6 +12,7 @@
 #include "report.h"
 #include "tandem/error.h"
 #include "tandem/io/match_picture.h"
+#include "tandem/match/rotation.h"
 
 namespace cli {
 namespace {
@@ -25,8 +26,16 @@ std::vector<Match> match_contours(const Shape& a, const Shape& b, MatchOptions o
   const std::size_t count = std::min(a.contours.size(), b.contours.size());
   std::vector<Match> matches;
   matches.reserve(count);
+  const std::size_t before = options.rotate.value_or(false) && count > 1 ? 1 : 0;
+  if (before > 0) {
+    // The contours of a shape turn together.
+    options.progress = show_progress(quiet, 0, count + before);
+    options.rotation =
+        tandem::common_rotation({a.contours.data(), count}, {b.contours.data(), count}, options).values();
+    throw_if_interrupted();
+  }
   for (std::size_t i = 0; i < count; ++i) {
-    options.progress = show_progress(quiet, i, count);
+    options.progress = show_progress(quiet, i + before, count + before);
     matches.push_back(tandem::match(a.contours[i], b.contours[i], options));
     throw_if_interrupted();
   }

@@ -78,8 +78,12 @@ void add_match_flags(CLI::App& command, MatchFlags& flags) {
          "Smooth the samples first: deviation as a share of the length (0)");
   option("--threads", flags.threads, "N", "Threads to use (all); the result does not depend on it");
   command.add_flag("--fast", flags.fast, "Faster, but not exact")->group(group);
-  command.add_flag("--rotate", flags.rotate, "Find the best turn (not available yet)")->group(group);
-  command.add_flag("--no-rotate", flags.no_rotate, "Leave the curves as they lie (default)")->group(group);
+  CLI::Option* rotate = command.add_flag_callback(
+      "--rotate", [&flags] { flags.rotate = true; }, "Match under the best turn (default of morph)");
+  CLI::Option* no_rotate = command.add_flag_callback(
+      "--no-rotate", [&flags] { flags.rotate = false; }, "Match the curves as they lie (default of match)");
+  rotate->group(group);
+  no_rotate->group(group)->excludes(rotate);
   command.add_flag("--strict", flags.strict, "Exit with 4 and write nothing when there is no valid match")
       ->group(group);
 }
@@ -90,7 +94,6 @@ tandem::LoadOptions to_load_options(const CommonFlags& flags) {
 }
 
 MatchOptions to_match_options(const MatchFlags& flags) {
-  if (flags.rotate) throw UsageError("--rotate is not available yet; curves are matched as they lie");
   MatchOptions options;
   options.method = choose<Method>("--method", flags.method,
                                   {{"elastic", Method::elastic}, {"paper", Method::paper}}, {"segments"});
@@ -111,6 +114,10 @@ MatchOptions to_match_options(const MatchFlags& flags) {
   options.direction = choose<Direction>(
       "--direction", flags.direction,
       {{"auto", Direction::automatic}, {"forward", Direction::forward}, {"reversed", Direction::reversed}});
+  options.rotate = flags.rotate;
+  if (flags.rotate.value_or(false) && std::get<NormKind>(options.norm) == NormKind::ruled) {
+    throw UsageError("--rotate does not go with --norm ruled: rulings join the curves where they lie");
+  }
   options.closed = choose<ClosedMode>("--closed", flags.closed,
                                       {{"auto", ClosedMode::automatic},
                                        {"yes", ClosedMode::yes},

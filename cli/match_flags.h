@@ -1,6 +1,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <optional>
 #include <string>
 
 #include "tandem/io/load.h"
@@ -30,8 +31,7 @@ struct MatchFlags {
   std::string low_pass;
   std::string threads;
   bool fast = false;
-  bool rotate = false;
-  bool no_rotate = false;
+  std::optional<bool> rotate;  ///< nothing: the command's default
   bool strict = false;
 };
 

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "tandem/io/json.h"
+#include "tandem/match/rotation.h"
 #include "tandem/version.h"
 
 namespace cli {
@@ -96,6 +97,12 @@ std::string percent(double share) {
   return share < 1.0 && text == "100" ? "over 99.99 %" : text + " %";
 }
 
+/// A line that says how far B was turned back; nothing where it was not.
+std::string format_turn(const Match& match, std::string_view label) {
+  const double degrees = tandem::Rotation(match.curve.dim(), match.report.rotation).degrees();
+  return degrees == 0.0 ? "" : fmt::format("{}{:.6g} degrees\n", label, degrees);
+}
+
 std::string format_contour_table(const Match& match) {
   const MatchReport& r = match.report;
   const bool paper = r.method == tandem::Method::paper;
@@ -108,6 +115,7 @@ std::string format_contour_table(const Match& match) {
   text += fmt::format("direction    {}\n", name(r.direction));
   if (match.correspondence.closed)
     text += fmt::format("shift        {} of {} samples\n", r.shift, r.samples[1]);
+  text += format_turn(match, "turn         ");
   text += fmt::format("samples      {} and {}, by {}\n", r.samples[0], r.samples[1], name(r.sampling));
   text += fmt::format("v(u)         order {}, {} coefficients, within {} of its domain\n", v.degree() + 1,
                       v.size(), percent(match.reparametrization.max_deviation));
@@ -207,6 +215,7 @@ std::string format_table(const ShapeReport& report) {
   const Totals totals = add_up(report);
   text += fmt::format("all      {:>10.5g}  {:>5}  {:>8.4f}  {:>9}\n", totals.cost,
                       report.valid() ? "yes" : "no", totals.min_dot, percent(totals.valid_share));
+  if (!report.pairs.empty()) text += format_turn(*report.pairs.front().match, "turn     ");
   for (const std::size_t i : report.unmatched_a) text += fmt::format("{:>3}   -  no partner\n", i);
   for (const std::size_t i : report.unmatched_b) text += fmt::format("  - {:>3}  no partner\n", i);
   return text;

@@ -7,6 +7,7 @@
 
 #include "io/match_picture_parts.h"
 #include "io/number.h"
+#include "tandem/match/rotation.h"
 
 namespace tandem {
 inline namespace v0 {
@@ -32,11 +33,18 @@ std::string verdict(const MatchReport& report) {
                      100.0 * validity.valid_share, validity.min_dot);
 }
 
-std::string details(const MatchReport& report) {
+/// 0 for a match that was cancelled, which has no rotation.
+double turn_degrees(const MatchReport& report, int dim) {
+  return report.rotation.empty() ? 0.0 : Rotation(dim, report.rotation).degrees();
+}
+
+std::string details(const MatchReport& report, int dim) {
   std::string text = fmt::format("cost {:.6g} (mean {:.4g}), {} x {} nodes, {}", report.cost,
                                  report.mean_cost, report.samples[0], report.samples[1],
                                  report.direction == Direction::reversed ? "reversed" : "forward");
   if (report.shift != 0) text += fmt::format(", shift {}", report.shift);
+  const double degrees = turn_degrees(report, dim);
+  if (degrees != 0.0) text += fmt::format(", turned by {:.4g}\u00b0", degrees);
   return text;
 }
 
@@ -67,7 +75,7 @@ std::string format_match_picture(const Curve& a, const Curve& b, const Match& ma
       "<rect width=\"{0}\" height=\"{1}\" fill=\"#ffffff\"/>\n",
       kWidth, kHeight, report.validity.valid ? "#2c7a4b" : "#b5482a");
   text += fmt::format("<text class=\"title\" x=\"36\" y=\"44\">{}</text>\n", title(report));
-  text += fmt::format("<text class=\"small\" x=\"36\" y=\"68\">{}</text>\n", details(report));
+  text += fmt::format("<text class=\"small\" x=\"36\" y=\"68\">{}</text>\n", details(report, a.dim()));
   text +=
       fmt::format("<text class=\"verdict\" x=\"{}\" y=\"68\">{}</text>\n", pixels(kTable.x), verdict(report));
   text += draw_links(a, b, match.correspondence, kLinks);

@@ -8,6 +8,7 @@
 
 #include "io/match_picture_parts.h"
 #include "tandem/match/norm.h"
+#include "tandem/match/rotation.h"
 
 namespace tandem {
 inline namespace v0 {
@@ -27,10 +28,13 @@ struct Cells {
 };
 
 NodeTable costs(const Match& match, const MatchOptions& options, RuledSign sign) {
+  // As they were matched: turned back.
+  const Rotation rotation(match.samples_b.dim(), match.report.rotation);
+  const Samples b = turned(match.samples_b, rotation.inverse());
   if (match.report.method == Method::paper) {
-    return node_costs(match.samples_a, match.samples_b, options.norm, options.features, sign);
+    return node_costs(match.samples_a, b, options.norm, options.features, sign);
   }
-  return chord_costs(match.samples_a, match.samples_b, options.norm, options.features, sign);
+  return chord_costs(match.samples_a, b, options.norm, options.features, sign);
 }
 
 std::size_t invalid_on_path(const NodeTable& table, const std::vector<Node>& path) {

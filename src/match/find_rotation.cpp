@@ -11,7 +11,6 @@
 #include "match/nearest_rotation.h"
 #include "match/parallel_for.h"
 #include "match/rotation_candidates.h"
-#include "match/turned_samples.h"
 #include "tandem/error.h"
 
 namespace tandem {

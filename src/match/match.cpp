@@ -12,7 +12,6 @@
 #include "match/sample_pair.h"
 #include "match/search.h"
 #include "match/search_near.h"
-#include "match/turned_samples.h"
 #include "tandem/curve/compose.h"
 #include "tandem/curve/edit.h"
 #include "tandem/error.h"
@@ -74,9 +73,9 @@ Optimum find_optimum(const Curve& a, const Curve& b, const SamplePair& samples, 
     if (turn.cancelled || !turn.found.empty()) return best;
   }
   const Rotation back = best.rotation.inverse();
-  const SamplePair turned{samples.a, detail::turned(samples.b, back)};
+  const SamplePair turned{samples.a, tandem::turned(samples.b, back)};
   if (options.coarse_to_fine) {
-    coarse.b = detail::turned(std::move(coarse.b), back);
+    coarse.b = tandem::turned(std::move(coarse.b), back);
     best.found = detail::search_near(coarse, turned, options, layout);
   } else {
     best.found = detail::search(turned.a, turned.b, options, layout);

@@ -1,13 +1,11 @@
-#include "match/turned_samples.h"
-
 #include <cstddef>
 #include <utility>
 #include <vector>
 
+#include "tandem/match/rotation.h"
+
 namespace tandem {
 inline namespace v0 {
-namespace detail {
-
 namespace {
 
 /// The mean over the length, of the polygon of nodes.
@@ -39,6 +37,5 @@ Samples turned(Samples s, const Rotation& rotation) {
   return s;
 }
 
-}  // namespace detail
 }  // namespace v0
 }  // namespace tandem

@@ -35,7 +35,7 @@ out_has '<svg .*</svg>'
 for options in '--method paper' '--norm ruled' '--norm distance' '--norm bottleneck' \
   '--sampling curvature' '--sampling parameter' '--features tangent+curvature' '--reduce 20' '--tolerance 1e-2 --order 3' \
   '--direction reversed' '--closed no' '--closed pinned' '--closed yes' '--low-pass 0.02' '--fast' \
-  '--no-rotate' '--threads 1' '--method paper --reduce 12 --order 3'; do
+  '--rotate' '--no-rotate' '--rotate --method paper' '--rotate --norm distance' '--threads 1' '--method paper --reduce 12 --order 3'; do
   # shellcheck disable=SC2086  # words are wanted
   expect 0 match "${quick[@]}" "$square" "$triangle" --json --quiet $options
   out_has '"cost"'
@@ -164,17 +164,17 @@ printf 't,x,y\n0,0,0\n1,1,2\n2,3,1\n3,4,4\n' >motion.csv
 expect 0 info motion.csv --json
 out_has '"dimension": 2.*"domain": \[0, 3\]'
 
-# The warning, --quiet and --strict. Opposite straight lines: there is no valid match.
+# The warning, --quiet and --strict. Opposite straight lines: there is no valid match, unless one is turned.
 expect 0 match "${quick[@]}" 'M0 0L1 0' 'M1 1L0 1' --direction forward --json
 err_has 'warning: the match is not valid'
 out_has '"valid": ?false'
 expect 0 match "${quick[@]}" 'M0 0L1 0' 'M1 1L0 1' --direction forward --json --quiet
 err_empty
-expect 4 match "${quick[@]}" 'M0 0L1 0' 'M1 1L0 1' --direction forward --strict -o strict.json
+expect 4 match "${quick[@]}" 'M0 0L1 0' 'M1 1L0 1' --direction forward --no-rotate --strict -o strict.json
 out_empty
 err_has 'no valid match'
-expect 4 morph "${quick[@]}" 'M0 0L1 0' 'M1 1L0 1' --direction forward --strict -o strict.svg
-expect 4 morph "${quick[@]}" 'M0 0L1 0' 'M1 1L0 1' --direction forward --strict -o strict.svg --quiet
+expect 4 morph "${quick[@]}" 'M0 0L1 0' 'M1 1L0 1' --direction forward --no-rotate --strict -o strict.svg
+expect 4 morph "${quick[@]}" 'M0 0L1 0' 'M1 1L0 1' --direction forward --no-rotate --strict -o strict.svg --quiet
 err_empty
 expect 0 match "${quick[@]}" 'M0 0L1 0' 'M1 1L0 1' --strict --json
 out_has '"direction": ?"reversed"'

@@ -61,7 +61,8 @@ wrong '--direction' match "$square" "$triangle" --direction back
 wrong '--closed' match "$square" "$triangle" --closed maybe
 wrong '--low-pass' match "$square" "$triangle" --low-pass nan
 wrong '--threads' match "$square" "$triangle" --threads 0
-wrong '--rotate is not available yet' match "$square" "$triangle" --rotate
+wrong '--rotate does not go with --norm ruled' match "$square" "$triangle" --rotate --norm ruled
+wrong '--rotate excludes --no-rotate' match "$square" "$triangle" --rotate --no-rotate
 wrong '--fill-rule' match "$square" "$triangle" --fill-rule odd
 wrong 'requires|required|missing' match "$square" "$triangle" --norm
 wrong 'ending' match "$square" "$triangle" -o out.txt

@@ -5,6 +5,7 @@
 
 #include "tandem/curve/curve.h"
 #include "tandem/match/match.h"
+#include "tandem/match/samples.h"
 #include "tandem/tandem_export.h"
 
 namespace tandem {
@@ -44,6 +45,9 @@ class TANDEM_EXPORT Rotation {
   int dim_;
   std::vector<double> values_;
 };
+
+/// The samples of the curve turned about its centre, the mean of its points over the length.
+[[nodiscard]] TANDEM_EXPORT Samples turned(Samples samples, const Rotation& rotation);
 
 /// The turn of several curves to several others under which pair i, a[i] with b[i], matches best, all
 /// together and weighted with their lengths: as match() with MatchOptions::rotate looks for it.
