@@ -119,8 +119,7 @@ std::string format_contour_table(const Match& match) {
   text += fmt::format("samples      {} and {}, by {}\n", r.samples[0], r.samples[1], name(r.sampling));
   text += fmt::format("v(u)         order {}, {} coefficients, within {} of its domain\n", v.degree() + 1,
                       v.size(), percent(match.reparametrization.max_deviation));
-  text +=
-      fmt::format("method       {}, norm {}{}\n", name(r.method), r.norm, r.exact ? "" : ", fast");
+  text += fmt::format("method       {}, norm {}{}\n", name(r.method), r.norm, r.exact ? "" : ", fast");
   text += fmt::format("milliseconds sample {:.3f}, match {:.3f}, fit {:.3f}, compose {:.3f}\n",
                       1e3 * r.seconds.sample, 1e3 * r.seconds.match, 1e3 * r.seconds.fit,
                       1e3 * r.seconds.compose);

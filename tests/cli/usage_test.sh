@@ -38,7 +38,7 @@ wrong 'one of elastic, paper, not' match "$square" "$triangle" --method Paper
 wrong 'one of tangent, ruled, distance, bottleneck, not' match "$square" "$triangle" --norm angle
 wrong '--samples takes a whole number' match "$square" "$triangle" --samples 1
 wrong '--samples' match "$square" "$triangle" --samples 99999999999999999999
-wrong '--samples takes a whole number from 2 to 2000' match "$square" "$triangle" --samples 2001
+wrong '--samples takes a whole number from 2 to 6000' match "$square" "$triangle" --samples 6001
 wrong '--samples takes a whole number from 2 to 10000' match "$square" "$triangle" --samples 10001 --method paper
 wrong '--samples' match "$square" "$triangle" --samples -5
 wrong '--samples' match "$square" "$triangle" --samples ''
