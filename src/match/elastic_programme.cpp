@@ -88,10 +88,16 @@ bool ElasticProgramme::run(std::span<const ProgrammeStart> starts, const Progres
     if (counted) invalid_[index(cell)] = start.value.invalid;
   }
   std::size_t unseen = 0;
+  int last_reached = start_rows - 1;
   for (int i = 1; i < rows; ++i) {
+    // No step bridges this many rows without a path.
+    if (i - last_reached > edges_.longest()) break;
     const Columns columns = reachable(i, start_rows);
     if (columns.lo >= columns.hi) continue;
     relax_row(i, columns);
+    const auto row = cost_.begin() + static_cast<std::ptrdiff_t>(index({i, 0}));
+    const auto reached = [](double cost) { return cost < kInfinity; };
+    if (i >= start_rows && std::any_of(row + columns.lo, row + columns.hi, reached)) last_reached = i;
     unseen += static_cast<std::size_t>(columns.hi - columns.lo);
     if (keep_going && unseen > kCellsPerLook) {
       unseen = 0;

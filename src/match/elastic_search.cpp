@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "match/elastic_programme.h"
-#include "match/start_search.h"
 #include "tandem/error.h"
 
 namespace tandem {
@@ -20,6 +19,10 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Edges are kept for the next programme up to this many bytes. Beyond, computing them again takes no longer
 /// than fetching them from memory.
 constexpr std::size_t kKeptBytes = std::size_t{1} << 28;
+
+/// Costs this close are one when a search is bounded by another search's result: the caller decides on ties,
+/// so they must be found.
+constexpr double kTieMargin = 1e-9;
 
 /// Paths this much better, relative to their cost, are as good: what rounding may hide.
 constexpr double kSameCost = 1e-13;

@@ -91,9 +91,10 @@ struct EdgeTable {
 [[nodiscard]] TANDEM_EXPORT Path open_path(const EdgeTable& table, Aggregate aggregate = Aggregate::sum);
 
 /// Optimal closed path of a table that is cyclic in both directions, over all starts (k,l), 0 <= k < rows,
-/// 0 <= l < longest step (a path may jump over column 0; spec C10). Exact: branch and bound over the starts.
-/// beat: a path of another table to be beaten; none comes back once it is certain that all are worse (a tie
-/// within 1e-9 is still found).
+/// 0 <= l < longest step (a path may jump over column 0; spec C10). Exact: potentials, and branch and bound,
+/// over the starts (paths that differ by less than 1e-13 of their cost are as good). beat: a path of another
+/// table to be beaten; none comes back once it is certain that all are worse (a tie within 1e-9 is still
+/// found).
 [[nodiscard]] TANDEM_EXPORT Path closed_path(const EdgeTable& table, Aggregate aggregate = Aggregate::sum,
                                              const Progress& progress = {}, const Path* beat = nullptr);
 
