@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tandem/error.h"
+#include "tandem/io/path_data.h"
 #include "tandem/io/svg.h"
 #include "tandem/shape/path_builder.h"
 
@@ -57,6 +58,26 @@ TEST(HtmlPlayer, HoldsTheKeysAsNumbers) {
     const auto first = morph.contours()[0].keys[key].control_points()[0];
     EXPECT_NEAR(contour["keys"][key][0], first[0], 1e-3);
     EXPECT_NEAR(contour["keys"][key][1], first[1], 1e-3);
+  }
+}
+
+TEST(HtmlPlayer, HoldsThePosesOfATurningFrame) {
+  const auto data_of = [](const PathMorph& morph) {
+    return nlohmann::json::parse(between(format_html_player(morph, "x"),
+                                         "<script type=\"application/json\" id=\"morph\">", "</script>"));
+  };
+  EXPECT_FALSE(data_of(some_morph()).contains("poses"));
+  const Shape key = to_shape(parse_path_data("M0 0H9V2H3V5H0Z", "key", false));
+  const std::vector<Shape> keys{key, to_shape(parse_path_data("M0 0V9H-2V3H-5V0Z", "turned", false))};
+  const nlohmann::json data = data_of(PathMorph(Morph(keys)));
+  ASSERT_EQ(data["poses"].size(), 2u);
+  EXPECT_EQ(data["poses"][0][2], 0);
+  EXPECT_NEAR(data["poses"][1][2], 90.0, 1e-5);
+  // As the frame sees them both keys are the same.
+  const auto& numbers = data["contours"][0]["keys"];
+  ASSERT_EQ(numbers[0].size(), numbers[1].size());
+  for (std::size_t i = 0; i < numbers[0].size(); ++i) {
+    EXPECT_NEAR(double(numbers[0][i]), double(numbers[1][i]), 1e-3);
   }
 }
 

@@ -11,6 +11,7 @@
 #include "tandem/io/path_data.h"
 #include "tandem/io/svg.h"
 #include "tandem/shape/path_builder.h"
+#include "tandem/shape/transform.h"
 
 namespace tandem {
 namespace {
@@ -163,6 +164,39 @@ TEST(AnimatedSvg, EasesFromKeyToKey) {
       parsed(format_animated_svg(morph, {.duration = 1.0, .easing = "0.1 0.2 0.5 1"}));
   EXPECT_STREQ(back.child("svg").child("path").child("animate").attribute("keySplines").value(),
                "0.1 0.2 0.5 1;0.5 0 0.9 0.8");
+}
+
+// The browser turns the frame: groups that are moved and turned, with the keys inside as the frame sees them.
+TEST(AnimatedSvg, TurnsTheFrame) {
+  Shape turned = outline(10.0);
+  for (Curve& curve : turned.contours) curve = transform(curve, Transform::rotate_degrees(60.0));
+  const std::vector<Shape> keys{outline(10.0), turned};
+  const PathMorph morph{Morph(keys)};
+  ASSERT_TRUE(morph.turns());
+  const pugi::xml_document document =
+      parsed(format_animated_svg(morph, {.duration = 1.0, .alternate = false}));
+  const pugi::xml_node moved = document.child("svg").child("g");
+  const pugi::xml_node rotated = moved.child("g");
+  const pugi::xml_node path = rotated.child("path");
+  EXPECT_STREQ(moved.child("animateTransform").attribute("type").value(), "translate");
+  EXPECT_STREQ(rotated.child("animateTransform").attribute("type").value(), "rotate");
+  EXPECT_STREQ(rotated.child("animateTransform").attribute("values").value(), "0;60");
+  for (const pugi::xml_node group : {moved, rotated}) {
+    EXPECT_STREQ(group.child("animateTransform").attribute("keyTimes").value(), "0;1");
+  }
+  // What a viewer without animation shows is the first key.
+  const std::string transforms =
+      std::string(moved.attribute("transform").value()) + rotated.attribute("transform").value();
+  const std::string still = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 9 9\"><g transform=\"" +
+                            std::string(moved.attribute("transform").value()) + "\"><path d=\"" +
+                            path.attribute("d").value() + "\"/></g></svg>";
+  const Box drawn = bounding_box(parse_svg(still).front().shape);
+  const Box wanted = bounding_box(keys[0].contours[0]);
+  EXPECT_NE(transforms.find("rotate(0)"), std::string::npos);
+  for (std::size_t k = 0; k < 2; ++k) {
+    EXPECT_NEAR(drawn.lo[k], wanted.lo[k], 1e-3);
+    EXPECT_NEAR(drawn.hi[k], wanted.hi[k], 1e-3);
+  }
 }
 
 TEST(AnimatedSvg, RejectsNonsense) {
