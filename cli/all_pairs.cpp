@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
@@ -38,6 +41,15 @@ struct Task {
   AllPairsOptions options;
 };
 
+/// Said now rather than when the work is done. @throws tandem::IoError
+void check_regular(const std::string& path) {
+  std::error_code error;
+  const auto status = std::filesystem::status(path, error);
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
+    throw tandem::IoError(path + ": is not a regular file, beside which a journal could stand");
+  }
+}
+
 Task read_task(const Command& command, const Launch& launch) {
   if (command.inputs.empty()) throw UsageError("rank --all-pairs takes one or more candidates");
   if (command.output.empty() || command.output == "-") {
@@ -52,6 +64,7 @@ Task read_task(const Command& command, const Launch& launch) {
   if (launch.is_shared() && std::count(command.inputs.begin(), command.inputs.end(), "-") > 0) {
     throw UsageError("several processes cannot share standard input");
   }
+  check_regular(command.output);
   Task task;
   task.format = output_format(command.output, command.to, {Format::npy, Format::csv});
   task.output = command.output;
@@ -88,15 +101,26 @@ PairJournal open_journal(const Task& task, const std::vector<ShapeDescriptor>& s
   return journal;
 }
 
+/// The bar, Ctrl-C, and how to go on after it: said at once, since mpirun ends its processes soon after a
+/// signal.
+tandem::Progress show_tiles(const PairJournal& journal, const std::string& path, const Messages& messages) {
+  auto said = std::make_shared<std::atomic<bool>>(false);
+  return [&journal, &messages, path, said, bar = show_progress(messages.quiet())](double) {
+    if (bar(static_cast<double>(journal.done()) / static_cast<double>(journal.tiles().size()))) return true;
+    if (!said->exchange(true)) {
+      messages.note(fmt::format("{} % are done; the same command goes on from there (with {})",
+                                100 * journal.done() / journal.tiles().size(), path));
+    }
+    return false;
+  };
+}
+
 /// The tiles that the journal lacks, into the journal.
 void compare_pairs(const Task& task, const std::vector<ShapeDescriptor>& shapes, PairJournal& journal,
                    MpiTeam* mpi, const Messages& messages) {
   const InterruptibleScope interruptible;
-  const double all = static_cast<double>(journal.tiles().size());
   AllPairsOptions options = task.options;
-  options.progress = [&journal, all, bar = show_progress(messages.quiet())](double) {
-    return bar(static_cast<double>(journal.done()) / all);
-  };
+  options.progress = show_tiles(journal, task.journal, messages);
   const tandem::TileSource source = [&journal,
                                      next = std::size_t{0}]() mutable -> std::optional<std::size_t> {
     while (next < journal.tiles().size() && journal.has(next)) ++next;
@@ -106,15 +130,13 @@ void compare_pairs(const Task& task, const std::vector<ShapeDescriptor>& shapes,
   const tandem::TileSink sink = [&journal](std::size_t tile, std::span<const double> costs) {
     journal.add(tile, costs);
   };
-  const bool finished = mpi != nullptr ? lead_all_pairs(mpi->team(), shapes, source, sink, options)
-                                       : all_pairs(shapes, source, sink, options);
-  if (mpi != nullptr) mpi->leave();
-  erase_progress_bar();
-  if (!finished) {
-    messages.note(fmt::format("{} % are done; the same command goes on from there (with {})",
-                              static_cast<int>(100.0 * static_cast<double>(journal.done()) / all),
-                              task.journal));
+  if (mpi != nullptr) {
+    (void)lead_all_pairs(mpi->team(), shapes, source, sink, options);
+    mpi->leave();
+  } else {
+    (void)all_pairs(shapes, source, sink, options);
   }
+  erase_progress_bar();
   throw_if_interrupted();
 }
 

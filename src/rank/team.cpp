@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cstring>
@@ -159,7 +160,8 @@ bool lead_all_pairs(const Team& team, std::span<const ShapeDescriptor> shapes, c
   OwnShare own(shapes, next, take, options);
   while (!desk.is_empty() || !own.is_done()) {
     own.rethrow_failure();
-    const double fraction = static_cast<double>(done) / static_cast<double>(tiles.size());
+    const double fraction =
+        static_cast<double>(done) / static_cast<double>(std::max<std::size_t>(tiles.size(), 1));
     if (!stopped && options.progress && !options.progress(fraction)) {
       stopped = true;
       own.stop();

@@ -139,6 +139,10 @@ expect 2 rank --all-pairs few.jsonl -o out.npy --top 3
 expect 2 rank --all-pairs few.jsonl -o out.npy --json
 expect 2 rank --all-pairs few.jsonl -o out.npy --exhaustive
 expect 1 rank --all-pairs few.jsonl -o missing/out.npy
+mkdir directory
+expect 1 rank --all-pairs few.jsonl -o directory --to npy
+err_has 'directory: is not a regular file'
+rmdir directory
 expect 1 rank --all-pairs missing.jsonl -o out.npy
 printf '{"no": "curve"}\n' >broken.jsonl
 expect 3 rank --all-pairs broken.jsonl -o broken.npy
