@@ -138,6 +138,16 @@ std::string figure_12() {
   return sheet.svg();
 }
 
+/// Spec C11: an arrow that looks elsewhere, and grows a hook on its way.
+std::string turn() {
+  const Curve a = first_contour("M8 20V9H3L11 0L19 9H14V20Z");
+  const Curve b = first_contour("M0 7H12V2L22 10L12 18V13H6V20H0Z");
+  Sheet sheet(110, 100);
+  sheet.add_row("As they lie", in_betweens(a, b, {}));
+  sheet.add_row("In a frame that turns", in_betweens(a, b, {.rotate = true}));
+  return sheet.svg();
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -148,11 +158,9 @@ int main(int argc, char** argv) {
   }
   const std::string folder = argv[argc - 1];
   try {
-    const std::map<std::string, std::string> pictures = {{"front-page.svg", front_page()},
-                                                         {"figure-5.svg", figure_5()},
-                                                         {"figure-6.svg", figure_6()},
-                                                         {"figure-9.svg", figure_9()},
-                                                         {"figure-12.svg", figure_12()}};
+    const std::map<std::string, std::string> pictures = {
+        {"front-page.svg", front_page()}, {"figure-5.svg", figure_5()},   {"figure-6.svg", figure_6()},
+        {"figure-9.svg", figure_9()},     {"figure-12.svg", figure_12()}, {"turn.svg", turn()}};
     int differ = 0;
     for (const auto& [name, svg] : pictures) {
       const std::string path = fmt::format("{}/{}", folder, name);
