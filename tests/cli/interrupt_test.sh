@@ -32,6 +32,12 @@ interrupted 143 TERM morph "$circle" "$wave" "${long[@]}" -o out.svg
 # While frames are written: the directory is taken away again.
 interrupted 130 INT morph 'M0 0L4 4' 'M0 1L5 2' -o many/ --frames 100000 --quiet
 
+# In the middle of a corpus: no ranking of a part of it.
+for i in {1..4000}; do echo '{"degree": 1, "points": [[0,0],[4,0],[4,'"$i"'],[0,4],[0,0]]}'; done >many.jsonl
+interrupted 130 INT rank "$circle" many.jsonl --samples 1000 --quiet -o best.jsonl
+interrupted 130 INT index many.jsonl --samples 2000 --quiet -o many.tdx
+rm many.jsonl
+
 # Work that does not look up for a while: the second signal ends it at once.
 "$TANDEM" match "$circle" "$wave" --samples 2000 -o out.json >.out 2>.err </dev/null &
 job=$!
