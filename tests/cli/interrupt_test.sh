@@ -63,7 +63,7 @@ kill %+ 2>/dev/null
 rm pipe
 
 # A signal that the caller ignores stays ignored.
-(trap '' INT && exec "$TANDEM" match "$circle" "$wave" --method paper --samples 600 -o ignored.json --quiet) &
+(trap '' INT && exec "$TANDEM" match "$circle" "$wave" --samples 1200 -o ignored.json --quiet) &
 job=$!
 sleep 0.2
 kill -INT "$job"

@@ -16,15 +16,15 @@ on_terminal() {
   out=$(<.out)
 }
 
-on_terminal match "$circle" "$wave" --method paper --samples 1500 -o out.json
+on_terminal match "$circle" "$wave" --samples 1200 -o out.json
 that "it ends well" test "$status" == 0
 out_has '\[#* *\] +[0-9]+ %'
 out_has $'\r\e\\[K' # the bar is taken away
-on_terminal match "$circle" "$wave" --method paper --samples 1500 -o out.json --quiet
+on_terminal match "$circle" "$wave" --samples 1200 -o out.json --quiet
 out_empty
 on_terminal match "$square" "$square" --method paper -o out.json
 out_empty
-expect 0 match "$circle" "$wave" --method paper --samples 1500 -o out.json --quiet
+expect 0 match "$circle" "$wave" --samples 1200 -o out.json --quiet
 err_empty
 rm -f .command
 
