@@ -4,7 +4,7 @@ set -m # jobs in groups of their own, with Ctrl-C not ignored
 
 circle='M10 0A10 10 0 1 1 -10 0A10 10 0 1 1 10 0Z'
 wave="M0 0$(printf 'q5 9 10 0t10 0%.0s' {1..40})V-30H0Z"
-long=(--method paper --samples 4000 --quiet) # minutes
+long=(--samples 3000 --quiet) # many seconds
 
 # interrupted WANTED SIGNAL ARG...: the signal arrives in the middle of the work, which ends with this status.
 interrupted() {
@@ -24,7 +24,7 @@ interrupted() {
 interrupted 130 INT match "$circle" "$wave" "${long[@]}" -o out.json
 interrupted 130 INT match "$circle" "$wave" "${long[@]}" --json
 out_empty
-interrupted 130 INT match "$circle" "$wave" --method paper --samples 4000
+interrupted 130 INT match "$circle" "$wave" --samples 3000
 err_empty # standard error is no terminal: no bar, and the shell knows why it ended
 interrupted 130 INT morph "$circle" "$wave" "${long[@]}" -o frames/
 interrupted 143 TERM morph "$circle" "$wave" "${long[@]}" -o out.svg
