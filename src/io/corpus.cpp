@@ -58,7 +58,7 @@ std::vector<Entry> list_directory(const std::string& directory) {
 }
 
 /// A candidate that cannot be read.
-Candidate broken(const std::string& name, std::exception_ptr error) {
+Candidate broken(const std::string& name, const std::exception_ptr& error) {
   return {name, [error]() -> ShapeDescriptor { std::rethrow_exception(error); }, false};
 }
 
@@ -171,7 +171,8 @@ ShapeDescriptor find_record(const FilePart& file) {
   std::optional<ShapeDescriptor> numbered;
   for (std::size_t k = 0; std::optional<ShapeDescriptor> shape = reader.next(); ++k) {
     if (shape->name() == *file.part) return *std::move(shape);
-    if (std::to_string(k) == *file.part) numbered = std::move(shape);
+    // The name of a later one goes first.
+    if (std::to_string(k) == *file.part) numbered = shape;
   }
   if (numbered) return *std::move(numbered);
   throw ParseError(file.path, 0, 0,

@@ -99,8 +99,8 @@ void integrate_range(const double* chords, const EdgeTerm* terms, const EdgeSum*
   for (; j < hi; j += n) integrate_one<kValue>(chords, terms, sums, count, j, units);
 }
 
-void IntegrateEdges(const double* chords, const EdgeTerm* terms, const EdgeSum* sums, std::size_t count,
-                    std::size_t lo, std::size_t hi, const EdgeOptions& options) {
+void integrate_edges_lanes(const double* chords, const EdgeTerm* terms, const EdgeSum* sums,
+                           std::size_t count, std::size_t lo, std::size_t hi, const EdgeOptions& options) {
   switch (options.value) {
     case EdgeValue::integral:
       return integrate_range<EdgeValue::integral>(chords, terms, sums, count, lo, hi, options.units);
@@ -135,8 +135,8 @@ void overlap_range(const double* HWY_RESTRICT chords, const EdgeOverlaps& e, std
   }
 }
 
-void IntegrateOverlaps(const double* chords, const EdgeOverlaps& edges, std::size_t lo, std::size_t hi,
-                       const EdgeOptions& options) {
+void integrate_overlaps_lanes(const double* chords, const EdgeOverlaps& edges, std::size_t lo, std::size_t hi,
+                              const EdgeOptions& options) {
   switch (options.value) {
     case EdgeValue::integral:
       return overlap_range<EdgeValue::integral>(chords, edges, lo, hi, options.units);
@@ -179,8 +179,8 @@ void relax_costs_range(const RelaxStep* steps, std::size_t count, double* HWY_RE
   }
 }
 
-void RelaxCosts(const RelaxStep* steps, std::size_t count, double* to, std::size_t lo, std::size_t hi,
-                bool maximum) {
+void relax_costs_lanes(const RelaxStep* steps, std::size_t count, double* to, std::size_t lo, std::size_t hi,
+                       bool maximum) {
   if (maximum) return relax_costs_range<true>(steps, count, to, lo, hi);
   relax_costs_range<false>(steps, count, to, lo, hi);
 }
@@ -209,8 +209,8 @@ void relax_pairs_range(const RelaxStep* steps, std::size_t count, double* HWY_RE
   }
 }
 
-void RelaxPairs(const RelaxStep* steps, std::size_t count, double* to_cost, double* to_invalid,
-                std::size_t lo, std::size_t hi, bool maximum) {
+void relax_pairs_lanes(const RelaxStep* steps, std::size_t count, double* to_cost, double* to_invalid,
+                       std::size_t lo, std::size_t hi, bool maximum) {
   if (maximum) return relax_pairs_range<true>(steps, count, to_cost, to_invalid, lo, hi);
   relax_pairs_range<false>(steps, count, to_cost, to_invalid, lo, hi);
 }
@@ -226,29 +226,29 @@ namespace tandem {
 inline namespace v0 {
 namespace detail {
 
-HWY_EXPORT(IntegrateEdges);
-HWY_EXPORT(IntegrateOverlaps);
-HWY_EXPORT(RelaxCosts);
-HWY_EXPORT(RelaxPairs);
+HWY_EXPORT(integrate_edges_lanes);
+HWY_EXPORT(integrate_overlaps_lanes);
+HWY_EXPORT(relax_costs_lanes);
+HWY_EXPORT(relax_pairs_lanes);
 
 void integrate_edges(const double* chords, const EdgeTerm* terms, const EdgeSum* sums, std::size_t count,
                      std::size_t lo, std::size_t hi, const EdgeOptions& options) {
-  HWY_DYNAMIC_DISPATCH(IntegrateEdges)(chords, terms, sums, count, lo, hi, options);
+  HWY_DYNAMIC_DISPATCH(integrate_edges_lanes)(chords, terms, sums, count, lo, hi, options);
 }
 
 void integrate_overlaps(const double* chords, const EdgeOverlaps& edges, std::size_t lo, std::size_t hi,
                         const EdgeOptions& options) {
-  HWY_DYNAMIC_DISPATCH(IntegrateOverlaps)(chords, edges, lo, hi, options);
+  HWY_DYNAMIC_DISPATCH(integrate_overlaps_lanes)(chords, edges, lo, hi, options);
 }
 
 void relax_costs(const RelaxStep* steps, std::size_t count, double* to, std::size_t lo, std::size_t hi,
                  bool maximum) {
-  HWY_DYNAMIC_DISPATCH(RelaxCosts)(steps, count, to, lo, hi, maximum);
+  HWY_DYNAMIC_DISPATCH(relax_costs_lanes)(steps, count, to, lo, hi, maximum);
 }
 
 void relax_pairs(const RelaxStep* steps, std::size_t count, double* to_cost, double* to_invalid,
                  std::size_t lo, std::size_t hi, bool maximum) {
-  HWY_DYNAMIC_DISPATCH(RelaxPairs)(steps, count, to_cost, to_invalid, lo, hi, maximum);
+  HWY_DYNAMIC_DISPATCH(relax_pairs_lanes)(steps, count, to_cost, to_invalid, lo, hi, maximum);
 }
 
 }  // namespace detail

@@ -96,7 +96,7 @@ class BestStart {
     while (!starts.empty()) {
       if (!run(starts)) return;
       std::vector<Bound> bounds = bound(starts);
-      if (bounds.size() > 0 && starts.size() > 1 && !try_likeliest(bounds)) return;
+      if (!bounds.empty() && starts.size() > 1 && !try_likeliest(bounds)) return;
       drop_settled(bounds);
       const std::size_t before = starts.size();
       starts.clear();
@@ -131,6 +131,7 @@ class BestStart {
       if (promising(b.lower)) bounds.push_back(b);
     }
     std::vector<const Bound*> rising;
+    rising.reserve(bounds.size());
     for (const Bound& b : bounds) rising.push_back(&b);
     std::stable_sort(rising.begin(), rising.end(),
                      [](const Bound* x, const Bound* y) { return x->lower < y->lower; });

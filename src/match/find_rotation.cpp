@@ -265,7 +265,7 @@ std::vector<Trial> survey(const Matcher& matcher, const std::vector<Start>& star
                           const MatchOptions& options, RisingProgress& progress) {
   std::vector<Trial> trials(starts.size() + 1, Trial{starts.front().rotation, {}, {}, {}, false});
   const Progress standing = progress.standing();
-  const auto ask = [&] { return standing; };
+  const auto ask = [&]() -> const Progress& { return standing; };
   parallel_for(static_cast<int>(starts.size()), options.threads, [&](int k) {
     const Start& start = starts[static_cast<std::size_t>(k)];
     Trial trial = matcher.run(start.rotation, start.direction, 1, standing);
@@ -303,13 +303,12 @@ void check_turnable(const Norm& norm) {
 FoundRotation find_rotation(std::span<const RotationTask> tasks, const MatchOptions& options,
                             double least_gain) {
   const Rotation identity(tasks.front().fine.a.dim());
-  const FoundRotation cancelled{identity, {}, true};
   RisingProgress progress(options.progress);
   const Matcher coarse(tasks, options, true);
   std::vector<Trial> trials =
       survey(coarse, list_starts(tasks, coarse.weights(), options), options, progress);
   const auto stopped = [](const Trial& trial) { return trial.cancelled; };
-  if (std::any_of(trials.begin(), trials.end(), stopped)) return cancelled;
+  if (std::any_of(trials.begin(), trials.end(), stopped)) return {identity, {}, true};
 
   const double unturned = trials.front().goodness.sum();
   const std::vector<Trial> best = finalists(std::move(trials));
@@ -324,7 +323,7 @@ FoundRotation find_rotation(std::span<const RotationTask> tasks, const MatchOpti
   for (const Trial& start : best) {
     Trial trial = fine.run(start.rotation, Direction::automatic, options.threads, step());
     trial = fine.improve(std::move(trial), options.threads, step);
-    if (trial.cancelled) return cancelled;
+    if (trial.cancelled) return {identity, {}, true};
     if (!winner || preferable(trial, *winner)) winner = std::move(trial);
   }
   return {std::move(winner->rotation), std::move(winner->found), false};

@@ -104,7 +104,7 @@ FixedCosts fixed_costs(const NodeTable& table, bool cyclic) {
   for (std::size_t i = 0; i < table.rows; ++i) {
     for (std::size_t j = 0; j < width; ++j) {
       const double scaled = cost_of(table.index(i, j % table.cols)) / costs.quantum;
-      costs.table.at(i, j) = static_cast<std::int32_t>(scaled + 0.5);
+      costs.table.at(i, j) = static_cast<std::int32_t>(std::lround(scaled));
     }
   }
   return costs;

@@ -118,7 +118,7 @@ std::optional<double> lowest_harmonic(const Points& signals, int highest) {
 double harmonic_offset(const Curve& curve, const ArcLength& arc, double start) {
   const Evaluator evaluator(curve);
   const auto dim = static_cast<std::size_t>(curve.dim());
-  constexpr std::size_t n = kPhaseSamples;
+  const std::size_t n = kPhaseSamples;
   Points points(curve.dim(), n);
   for (std::size_t k = 0; k < n; ++k) {
     const double s = start + arc.length() * static_cast<double>(k) / kPhaseSamples;

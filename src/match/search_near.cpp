@@ -18,7 +18,7 @@ constexpr int kBandRadius = 2 * kCoarsening;
 
 SearchResult search_near(const SamplePair& coarse, const SamplePair& fine, MatchOptions options,
                          Layout layout) {
-  const SearchResult found = search(coarse.a, coarse.b, options, layout);
+  SearchResult found = search(coarse.a, coarse.b, options, layout);
   if (found.path.cancelled) return found;
   if (!found.path.nodes.empty()) {
     options.direction = found.reversed ? Direction::reversed : Direction::forward;

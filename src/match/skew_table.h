@@ -15,7 +15,7 @@ namespace detail {
 /// the cost of node ((e - j) mod rows, j), so that the nodes of an antidiagonal i + j = d lie side by side in
 /// row d mod rows.
 ///
-/// V is double, or std::int32_t for costs in fixed point. Costs are >= 0 and below unreachable<V>.
+/// V is double, or std::int32_t for costs in fixed point. Costs are >= 0 and below kUnreachable<V>.
 template <class V>
 class SkewTable {
  public:
@@ -59,9 +59,9 @@ class SkewTable {
 /// What a node costs that no path reaches. Fixed point: sums below this do not overflow when one more cost is
 /// added.
 template <class V>
-inline constexpr V unreachable = std::numeric_limits<V>::infinity();
+inline constexpr V kUnreachable = std::numeric_limits<V>::infinity();
 template <>
-inline constexpr std::int32_t unreachable<std::int32_t> = std::int32_t{1} << 30;
+inline constexpr std::int32_t kUnreachable<std::int32_t> = std::int32_t{1} << 30;
 
 }  // namespace detail
 }  // namespace v0

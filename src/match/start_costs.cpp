@@ -41,7 +41,7 @@ HWY_INLINE void relax_row(const SkewTable<V>& table, int row, int first, int las
   const Lanes<V> d;
   const std::size_t lanes = lane_count<V>();
   const std::size_t cell_size = kCount * lanes;
-  const auto none = hn::Set(d, unreachable<V>);
+  const auto none = hn::Set(d, kUnreachable<V>);
   const auto charged = hn::Set(d, rule.charge);
   const bool double_diagonal = rule.double_diagonal;
   // Cell (i,j) lies in row (i + j) mod period of the table: one row further with every column.
@@ -89,7 +89,7 @@ void costs_of_starts(const PathFamily<V>& family, int k, const Channel& channel,
   const std::size_t cell_size = kGroups<V> * lane_count<V>();
   const int width = table.width();
   const int starts = static_cast<int>(costs.size());
-  AlignedArray<V> cells(static_cast<std::size_t>(width) * cell_size, unreachable<V>);
+  AlignedArray<V> cells(static_cast<std::size_t>(width) * cell_size, kUnreachable<V>);
   int previous_first = 0;
   int previous_last = -1;
   for (int i = k; i < k + starts - 1 + family.rows; ++i) {
@@ -97,7 +97,7 @@ void costs_of_starts(const PathFamily<V>& family, int k, const Channel& channel,
     const int last = channel.last_column(i, width);
     // Cells that the row above did not reach.
     std::fill(cells.data() + cell_size * static_cast<std::size_t>(previous_last + 1),
-              cells.data() + cell_size * static_cast<std::size_t>(last + 1), unreachable<V>);
+              cells.data() + cell_size * static_cast<std::size_t>(last + 1), kUnreachable<V>);
     const bool starting = i < k + starts;
     const V start_cost =
         family.count_start ? table.diagonal(static_cast<std::size_t>(i % table.rows()))[0] : V{0};
@@ -106,7 +106,7 @@ void costs_of_starts(const PathFamily<V>& family, int k, const Channel& channel,
     if (i >= k + family.rows - 1) {
       const auto lane = static_cast<std::size_t>(i - (k + family.rows - 1));
       costs[lane] =
-          last == width - 1 ? cells[static_cast<std::size_t>(width - 1) * cell_size + lane] : unreachable<V>;
+          last == width - 1 ? cells[static_cast<std::size_t>(width - 1) * cell_size + lane] : kUnreachable<V>;
     }
     previous_first = first;
     previous_last = last;

@@ -18,8 +18,8 @@ namespace detail {
 
 template <class V>
 struct BestStart {
-  int start = -1;  ///< the smallest of equally good ones; -1: no path is cheaper than `unreachable`
-  V cost = unreachable<V>;
+  int start = -1;  ///< the smallest of equally good ones; -1: no path is cheaper than `kUnreachable`
+  V cost = kUnreachable<V>;
   bool cancelled = false;
 };
 
@@ -68,7 +68,7 @@ class StartFamily {
     }
   };
   struct Path {
-    V cost = unreachable<V>;
+    V cost = kUnreachable<V>;
     std::shared_ptr<const RowSpans> spans;  ///< none if there is no path
   };
 

@@ -197,8 +197,8 @@ HWY_INLINE void relax_diagonal(const V* costs, const V* before2, const V* before
   const auto end = static_cast<std::size_t>(last + 1);
   std::size_t j = aligned;
   for (; j + lanes <= end; j += lanes) hn::Store(cell(j), d, out + j);
-  hn::Store(hn::IfThenElse(hn::FirstN(d, end - j), cell(j), hn::Set(d, unreachable<V>)), d, out + j);
-  out[static_cast<std::size_t>(first) - 1] = unreachable<V>;
+  hn::Store(hn::IfThenElse(hn::FirstN(d, end - j), cell(j), hn::Set(d, kUnreachable<V>)), d, out + j);
+  out[static_cast<std::size_t>(first) - 1] = kUnreachable<V>;
 }
 
 /// The antidiagonals of a window of a skewed table, one after the other.
@@ -275,7 +275,7 @@ TracedCost<V> trace(const TraceTask<V>& task, Diagonals& source, const Channel& 
   // A line before the first column, and one behind the last.
   const std::size_t line = std::max(lanes, 64 / sizeof(V));
   const std::size_t size = (static_cast<std::size_t>(width) / line + 3) * line;
-  AlignedArray<V> buffer(3 * size, unreachable<V>);
+  AlignedArray<V> buffer(3 * size, kUnreachable<V>);
   V* before2 = buffer.data() + line;
   V* before1 = before2 + size;
   V* out = before1 + size;
@@ -299,7 +299,7 @@ TracedCost<V> trace(const TraceTask<V>& task, Diagonals& source, const Channel& 
   }
   TracedCost<V> traced;
   traced.cost = out[width - 1];
-  if (traced.cost < unreachable<V>) traced.nodes = moves.backtrack(task.first_row, task.rows, width);
+  if (traced.cost < kUnreachable<V>) traced.nodes = moves.backtrack(task.first_row, task.rows, width);
   return traced;
 }
 

@@ -60,7 +60,7 @@ struct PathFamily {
 
 template <class V>
 struct TracedCost {
-  V cost = unreachable<V>;
+  V cost = kUnreachable<V>;
   std::vector<Node> nodes;  ///< empty if the end is out of reach
 };
 

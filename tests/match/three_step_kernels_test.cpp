@@ -20,12 +20,12 @@ namespace {
 
 using detail::fixed_costs;
 using detail::FixedCosts;
+using detail::kUnreachable;
 using detail::PathFamily;
 using detail::SkewTable;
 using detail::StartFamily;
 using detail::StepRule;
 using detail::TracedCost;
-using detail::unreachable;
 
 /// Node costs of both kinds of numbers: few levels (ties), many, or plateaus of equal rows and columns.
 template <class V>
@@ -59,7 +59,7 @@ V plain_cost(const PathFamily<V>& family, int k) {
         cost[0] = family.count_start ? node : V{0};
         continue;
       }
-      V best = unreachable<V>;
+      V best = kUnreachable<V>;
       const V weighted = family.rule.double_diagonal ? static_cast<V>(node + node) : node;
       if (i > 0 && j > 0) best = std::min<V>(best, cost[(i - 1) * width + j - 1] + weighted);
       if (j > 0) best = std::min<V>(best, cost[i * width + j - 1] + family.rule.charge + node);
@@ -105,7 +105,7 @@ void check_random_families(unsigned seed, int instances) {
     StepRule<V> rule;
     if (random() % 2 == 0) rule = {random() % 2 == 0, static_cast<V>(random() % 3)};
     const PathFamily<V> family{&table, static_cast<int>(rows) + 1, !closed, rule};
-    V expected = unreachable<V>;
+    V expected = kUnreachable<V>;
     int start = -1;
     for (int k = 0; k < static_cast<int>(rows); ++k) {
       const V cost = plain_cost(family, k);
