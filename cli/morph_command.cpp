@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -18,6 +19,7 @@
 #include "report.h"
 #include "tandem/error.h"
 #include "tandem/io/svg.h"
+#include "tandem/match/rotation.h"
 #include "tandem/morph/morph.h"
 #include "tandem/morph/path_morph.h"
 #include "usage_error.h"
@@ -129,6 +131,16 @@ void write(const Command& command, const Plan& plan, const Morph& morph, int dim
   }
 }
 
+/// A turn that nobody asked for should not puzzle anybody.
+void say_turn(const Messages& messages, const ShapeReport& report) {
+  if (report.pairs.empty()) return;
+  const tandem::Match& match = *report.pairs.front().match;
+  const double degrees = tandem::Rotation(match.curve.dim(), match.report.rotation).degrees();
+  if (std::fabs(degrees) < 0.05) return;
+  messages.note(
+      fmt::format("turned by {:.1f} degrees on the way; --no-rotate blends as the shapes lie", degrees));
+}
+
 Status run(const Command& command) {
   Plan plan = make_plan(command);
   const Messages messages(command.common.quiet);
@@ -156,7 +168,10 @@ Status run(const Command& command) {
     messages.error("no valid match exists for these samples (--strict): nothing was written");
     return kNoValidMatch;
   }
-  for (const ShapeReport& report : reports) warn(messages, report);
+  for (const ShapeReport& report : reports) {
+    warn(messages, report);
+    say_turn(messages, report);
+  }
   write(command, plan, morph, keys.front().dim(), reports);
   if (command.common.json && command.output != "-") write_output("-", "{" + format_reports(reports) + "}\n");
   return kDone;

@@ -58,6 +58,16 @@ std::string format_lines(const Ranking& ranking) {
   return text;
 }
 
+/// A name on one line of a terminal: control characters as \xHH.
+std::string printable(std::string_view name) {
+  std::string text;
+  for (const char c : name) {
+    const auto byte = static_cast<unsigned char>(c);
+    text += byte < 0x20 || byte == 0x7F ? fmt::format("\\x{:02X}", byte) : std::string(1, c);
+  }
+  return text;
+}
+
 std::string format_table(const Ranking& ranking) {
   std::string text =
       fmt::format("{:>5}  {:>9}  {:>7}  {:<8}  {}\n", "rank", "cost", "turn", "mirrored", "name");
@@ -66,7 +76,7 @@ std::string format_table(const Ranking& ranking) {
     // Rounding may leave a minus before zero.
     const double degrees = std::round(each.comparison.rotation.degrees() * 10.0) / 10.0 + 0.0;
     text += fmt::format("{:>5}  {:>9.6f}  {:>6.1f}°  {:<8}  {}\n", k + 1, each.comparison.cost, degrees,
-                        each.comparison.mirrored ? "yes" : "no", each.name);
+                        each.comparison.mirrored ? "yes" : "no", printable(each.name));
   }
   return text;
 }

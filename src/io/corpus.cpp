@@ -39,13 +39,9 @@ std::vector<Entry> list_directory(const std::string& directory) {
   std::error_code error;
   std::vector<Entry> entries;
   const fs::path root(directory);
-  auto each = fs::recursive_directory_iterator(
-      root, fs::directory_options::follow_directory_symlink | fs::directory_options::skip_permission_denied,
-      error);
+  // Links to directories are not followed: they may lead round in circles, and to the same shapes twice.
+  auto each = fs::recursive_directory_iterator(root, fs::directory_options::skip_permission_denied, error);
   for (; !error && each != fs::recursive_directory_iterator(); each.increment(error)) {
-    // Links may lead round in circles.
-    constexpr int kDeepest = 64;
-    if (each.depth() >= kDeepest) each.disable_recursion_pending();
     std::error_code ignored;
     const fs::path& path = each->path();
     if (!fs::is_regular_file(path, ignored) || !holds_shapes(format_of_extension(path.string()))) continue;

@@ -9,6 +9,7 @@
 #include <system_error>
 #include <utility>
 
+#include "rank/fnv.h"
 #include "tandem/error.h"
 
 namespace tandem {
@@ -18,10 +19,11 @@ namespace {
 using namespace std::string_view_literals;
 
 constexpr std::string_view kMagic = "\x89TDX\r\n\x1a\n"sv;
-constexpr std::uint32_t kVersion1 = 1;
+constexpr std::uint32_t kVersion = 2;
 constexpr std::uint32_t kClosed = 1;
 constexpr std::size_t kHeadSize = 24;
 constexpr std::size_t kRecordHeadSize = 20;
+constexpr std::size_t kChecksumSize = 8;
 constexpr std::uint32_t kLargestText = 1U << 24U;
 constexpr std::uint32_t kMostChords = 10'000;  // as ShapeDescriptor
 constexpr std::uint32_t kLargestDimension = 1'000;
@@ -85,12 +87,18 @@ std::size_t parse_head(std::string_view head, const std::string& source) {
   if (head.size() < kHeadSize) fail(source, "ends within its first 24 bytes");
   Bytes bytes(head.substr(kMagic.size()));
   const std::uint32_t version = bytes.u32();
-  if (version != kVersion1) {
+  if (version != kVersion) {
     fail(source, fmt::format("is an index of version {}, expected {}: make it anew with tandem index",
-                             version, kVersion1));
+                             version, kVersion));
   }
   if (bytes.u32() != 0) fail(source, "is damaged: its second word must be 0");
   return static_cast<std::size_t>(bytes.number(8));
+}
+
+std::uint64_t checksum(std::string_view record) {
+  detail::Fnv hash;
+  hash.add_bytes(record);
+  return hash.value();
 }
 
 std::string record_error(std::size_t index, const std::string& what) {
@@ -99,13 +107,16 @@ std::string record_error(std::size_t index, const std::string& what) {
 
 /// Size of a record from its first word.
 std::size_t checked_size(std::uint32_t size, std::size_t index, const std::string& source) {
-  if (size < kRecordHeadSize || size > kLargestRecord)
+  if (size < kRecordHeadSize + kChecksumSize || size > kLargestRecord)
     fail(source, record_error(index, fmt::format("is damaged: it cannot have {} bytes", size)));
   return size;
 }
 
 ShapeDescriptor parse_record(std::string_view record, std::size_t index, const std::string& source) {
-  Bytes bytes(record);
+  const std::string_view checked = record.substr(0, record.size() - kChecksumSize);
+  if (Bytes(record.substr(checked.size())).number(8) != checksum(checked))
+    fail(source, record_error(index, "is damaged: its checksum is wrong"));
+  Bytes bytes(checked);
   const std::uint32_t flags = bytes.u32();
   const std::uint32_t dim = bytes.u32();
   const std::uint32_t chords = bytes.u32();
@@ -117,9 +128,9 @@ ShapeDescriptor parse_record(std::string_view record, std::size_t index, const s
   }
   const std::uint64_t expected = kRecordHeadSize + std::uint64_t{name_size} + label_size +
                                  std::uint64_t{4} * chords * (std::uint64_t{dim} + 1);
-  if (expected != record.size()) {
+  if (expected != checked.size()) {
     fail(source, record_error(index, fmt::format("is damaged: it has {} bytes, its sizes say {}",
-                                                 record.size(), expected)));
+                                                 checked.size(), expected)));
   }
   std::string name = bytes.text(name_size);
   std::string label = bytes.text(label_size);
@@ -138,7 +149,7 @@ ShapeDescriptor parse_record(std::string_view record, std::size_t index, const s
 
 std::string format_tdx_head(std::size_t records) {
   std::string out(kMagic);
-  put(out, kVersion1, 4);
+  put(out, kVersion, 4);
   put(out, 0, 4);
   put(out, records, 8);
   return out;
@@ -161,6 +172,8 @@ std::string format_tdx_record(const ShapeDescriptor& shape) {
   record += shape.label();
   for (const double c : shape.tangents().data()) put_float(record, c);
   for (const double length : shape.lengths()) put_float(record, length);
+  const std::uint64_t sum = checksum(record);
+  put(record, sum, kChecksumSize);
   std::string out;
   put(out, record.size(), 4);
   return out + record;

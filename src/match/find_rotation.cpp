@@ -326,6 +326,12 @@ FoundRotation find_rotation(std::span<const RotationTask> tasks, const MatchOpti
     if (trial.cancelled) return {identity, {}, true};
     if (!winner || preferable(trial, *winner)) winner = std::move(trial);
   }
+  // What the coarse samples promised need not hold for all of them.
+  if (least_gain > 0.0) {
+    const Trial straight = fine.run(identity, Direction::automatic, options.threads, step());
+    if (straight.cancelled) return {identity, {}, true};
+    if (winner->goodness.sum() > (1.0 - least_gain) * straight.goodness.sum()) return {identity, {}, false};
+  }
   return {std::move(winner->rotation), std::move(winner->found), false};
 }
 

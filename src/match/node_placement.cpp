@@ -233,7 +233,9 @@ std::vector<PlacedNode> place_by_length(const Curve& curve, const ArcLength& arc
     const double share = options.sampling == Sampling::curvature && total_turning > 0.0
                              ? 0.5 * section.length / total + 0.5 * monitors[k].turning() / total_turning
                              : section.length / total;
-    const int n = std::max(1, static_cast<int>(std::floor(intervals * share + 0.5)));
+    // Halves go down, by more than rounding can lift them: a copy of the curve gets as many nodes.
+    constexpr double kSlack = 1e-6;
+    const int n = std::max(1, static_cast<int>(std::floor(intervals * share + 0.5 - kSlack)));
     std::vector<double> offsets;
     if (options.sampling == Sampling::curvature) {
       offsets = monitors[k].place(section, n, total, total_turning);

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <cstring>
+#include <string_view>
 
 namespace tandem {
 inline namespace v0 {
@@ -15,6 +16,9 @@ class Fnv {
       value_ = (value_ ^ (word & 0xFFU)) * 0x100000001B3U;
       word >>= 8U;
     }
+  }
+  void add_bytes(std::string_view bytes) noexcept {
+    for (const char c : bytes) value_ = (value_ ^ static_cast<unsigned char>(c)) * 0x100000001B3U;
   }
   void add_number(double number) noexcept {
     std::uint64_t bits = 0;

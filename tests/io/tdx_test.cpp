@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "io/scratch_directory.h"
+#include "rank/fnv.h"
 #include "tandem/error.h"
 #include "tandem/io/files.h"
 
@@ -83,15 +84,36 @@ TEST(Tdx, SaysWhatIsWrong) {
   EXPECT_EQ(with(0, 'x'), "a.tdx: is a .tdx index damaged by being sent as text");
   EXPECT_EQ(message_of([] { (void)tandem::parse_tdx("", "a.tdx"); }), "a.tdx: is no .tdx index");
   EXPECT_EQ(message_of([] { (void)tandem::parse_tdx("PK", "a.tdx"); }), "a.tdx: is no .tdx index");
-  EXPECT_EQ(with(8, 2), "a.tdx: is an index of version 2, expected 1: make it anew with tandem index");
+  EXPECT_EQ(with(8, 3), "a.tdx: is an index of version 3, expected 2: make it anew with tandem index");
   EXPECT_EQ(with(16, 4), "a.tdx: is cut off: it has 3 of 4 records");
   EXPECT_EQ(with(16, 2), "a.tdx: goes on after its 2 records");
   EXPECT_EQ(with(23, 127),
             "a.tdx: is cut off: it has 3 of " + std::to_string((127ULL << 56U) + 3) + " records");
   EXPECT_NE(with(24, 5).find("record 0 is damaged: it cannot have 5 bytes"), std::string::npos);
-  EXPECT_NE(with(28, 3).find("record 0 is damaged: flags"), std::string::npos);
-  EXPECT_NE(with(36, 8).find("record 0 is damaged: it has"), std::string::npos);
-  EXPECT_NE(with(63, 0).find("record 0 tangent 0 has length"), std::string::npos);
+  EXPECT_EQ(with(36, 8), "a.tdx: record 0 is damaged: its checksum is wrong");
+  // Damage that the checksum agrees with.
+  const auto signed_with = [&](std::size_t at, char byte) {
+    std::string changed = whole;
+    changed[at] = byte;
+    const auto size = static_cast<unsigned char>(whole[24]) + 256U * static_cast<unsigned char>(whole[25]);
+    tandem::detail::Fnv hash;
+    hash.add_bytes(std::string_view(changed).substr(28, size - 8));
+    for (std::size_t k = 0; k < 8; ++k)
+      changed[28 + size - 8 + k] = static_cast<char>(hash.value() >> (8 * k) & 0xFFU);
+    return message_of([&] { (void)tandem::parse_tdx(changed, "a.tdx"); });
+  };
+  EXPECT_NE(signed_with(28, 3).find("record 0 is damaged: flags"), std::string::npos);
+  EXPECT_NE(signed_with(36, 8).find("record 0 is damaged: it has"), std::string::npos);
+  EXPECT_NE(signed_with(63, 0).find("record 0 tangent 0 has length"), std::string::npos);
+}
+
+TEST(Tdx, NoticesEveryDamagedByte) {
+  const std::string whole = tandem::format_tdx(three_shapes());
+  for (std::size_t at = 28; at < whole.size(); ++at) {
+    std::string changed = whole;
+    changed[at] = static_cast<char>(changed[at] ^ 0x10);
+    EXPECT_THROW((void)tandem::parse_tdx(changed), ParseError) << at;
+  }
 }
 
 }  // namespace

@@ -14,13 +14,15 @@
 namespace tandem {
 inline namespace v0 {
 
-/// Index files (.tdx): shapes prepared for rank(). Binary, little-endian on every machine, version 1:
+/// Index files (.tdx): shapes prepared for rank(). Binary, little-endian on every machine, version 2:
 ///
 ///   8 bytes   89 54 44 58 0D 0A 1A 0A: a file that was sent as text is noticed
 ///   u32 u32   version; 0
 ///   u64       number of records
-///   record:   u32 bytes that follow; u32 flags (1: closed); u32 dimension d; u32 chords m; u32 u32 bytes of
-///             name and label; name; label (UTF-8); m * d floats, tangents; m floats, shares of the length
+///   record:   u32 bytes that follow, u64 included; u32 flags (1: closed); u32 dimension d; u32 chords m; u32
+///   u32 bytes of
+///             name and label; name; label (UTF-8); m * d floats, tangents; m floats, shares of the length;
+///             u64 FNV-1a hash of the record so far, its first word left out
 ///
 /// Descriptors hold floats, so they read back equal.
 
