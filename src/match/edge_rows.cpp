@@ -407,19 +407,18 @@ void EdgeRows::compute_row(int i, Columns columns, double* cost, double* invalid
   load_chords(i, columns);
   weigh_last_chords(columns);
   plan_row(i);
-  integrate(i, columns, chord_cost_,
-            aggregate_ == Aggregate::maximum ? EdgeValue::largest : EdgeValue::integral, cost);
+  integrate(columns, chord_cost_, aggregate_ == Aggregate::maximum ? EdgeValue::largest : EdgeValue::integral,
+            cost);
   if (invalid == nullptr) return;
   const auto begin = flagged_.begin() + static_cast<std::ptrdiff_t>(window_slot_) - longest_;
   if (std::any_of(begin, begin + longest_, [](std::uint8_t f) { return f != 0; })) {
-    integrate(i, columns, chord_flag_, EdgeValue::invalid, invalid);
+    integrate(columns, chord_flag_, EdgeValue::invalid, invalid);
   } else {
     std::fill_n(invalid, row_size_, 0.0);
   }
 }
 
-void EdgeRows::integrate(int /*i*/, Columns columns, const std::vector<double>& chords, EdgeValue value,
-                         double* out) {
+void EdgeRows::integrate(Columns columns, const std::vector<double>& chords, EdgeValue value, double* out) {
   const double* base = chords.data() + window_slot_ * static_cast<std::size_t>(chord_stride_) +
                        static_cast<std::size_t>(whole_blocks(longest_));
   const EdgeOptions options{value, 1.0 / kInvalidQuantum};

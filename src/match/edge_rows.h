@@ -91,7 +91,7 @@ class EdgeRows {
   void load_chord_row(int row, std::size_t slot, Columns columns);
   void weigh_last_chords(Columns columns);
   void compute_row(int i, Columns columns, double* cost, double* invalid);
-  void integrate(int i, Columns columns, const std::vector<double>& chords, EdgeValue value, double* out);
+  void integrate(Columns columns, const std::vector<double>& chords, EdgeValue value, double* out);
   void copy_row(int i, double* cost, double* invalid);
 
   int rows_;

@@ -94,22 +94,6 @@ FixedCosts fixed_tangent_costs(const TangentPlanes& a, const TangentPlanes& b, b
   return costs;
 }
 
-FixedCosts fixed_costs(const NodeTable& table, bool cyclic) {
-  const double penalty = static_cast<double>(table.rows + table.cols);
-  const auto cost_of = [&](std::size_t k) { return table.cost[k] + (table.invalid[k] != 0 ? penalty : 0.0); };
-  double most = 0.0;
-  for (std::size_t k = 0; k < table.cost.size(); ++k) most = std::max(most, cost_of(k));
-  const std::size_t width = table.cols + (cyclic ? 1 : 0);
-  FixedCosts costs{SkewTable<std::int32_t>(table.rows, width), fixed_quantum(table.rows, width, most)};
-  for (std::size_t i = 0; i < table.rows; ++i) {
-    for (std::size_t j = 0; j < width; ++j) {
-      const double scaled = cost_of(table.index(i, j % table.cols)) / costs.quantum;
-      costs.table.at(i, j) = static_cast<std::int32_t>(std::lround(scaled));
-    }
-  }
-  return costs;
-}
-
 }  // namespace detail
 }  // namespace v0
 }  // namespace tandem

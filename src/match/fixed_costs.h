@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "match/skew_table.h"
-#include "tandem/match/cost_table.h"
 
 namespace tandem {
 inline namespace v0 {
@@ -34,9 +33,6 @@ struct TangentPlanes {
 /// `weight`: what a step may multiply a node's cost with (2: StepRule::double_diagonal).
 [[nodiscard]] FixedCosts fixed_tangent_costs(const TangentPlanes& a, const TangentPlanes& b, bool cyclic,
                                              double weight = 1.0);
-
-/// The costs of a table, where invalid nodes cost rows + cols besides ([C]'s 2m). All finite.
-[[nodiscard]] FixedCosts fixed_costs(const NodeTable& table, bool cyclic);
 
 }  // namespace detail
 }  // namespace v0

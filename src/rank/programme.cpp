@@ -1,6 +1,7 @@
 #include "rank/programme.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 
@@ -40,7 +41,7 @@ std::optional<PricedPath> cheapest_path(const TangentPlanes& a, const TangentPla
                                         const StepCharges& charges, double limit) {
   const double heaviest = (charges.double_diagonal ? 2.0 : 1.0) + 0.5 * charges.charge;
   const FixedCosts costs = fixed_tangent_costs(a, b, closed, heaviest);
-  const auto charge = static_cast<std::int32_t>(charges.charge / costs.quantum + 0.5);
+  const auto charge = static_cast<std::int32_t>(std::lround(charges.charge / costs.quantum));
   const int rows = static_cast<int>(a.size()) + (closed ? 1 : 0);
   const PathFamily<std::int32_t> family{&costs.table, rows, !closed, {charges.double_diagonal, charge}};
   TracedCost<std::int32_t> best;

@@ -9,7 +9,6 @@
 #include <type_traits>
 #include <vector>
 
-#include "match/brute_force.h"
 #include "match/fixed_costs.h"
 #include "match/instruction_sets.h"
 #include "match/start_family.h"
@@ -18,7 +17,6 @@
 namespace tandem {
 namespace {
 
-using detail::fixed_costs;
 using detail::FixedCosts;
 using detail::kUnreachable;
 using detail::PathFamily;
@@ -205,7 +203,7 @@ TEST(FixedCosts, LoseNoMoreThanTheyState) {
       }
     }
     const Path exact = closed_path(table);
-    const FixedCosts fixed = n % 2 == 0 ? fixed_tangent_costs(a, b, true) : fixed_costs(table, true);
+    const FixedCosts fixed = fixed_tangent_costs(a, b, true);
     const PathFamily<std::int32_t> family{&fixed.table, static_cast<int>(a.size()) + 1, false, {}};
     const auto best = StartFamily<std::int32_t>(family, 1).best({});
     const std::vector<Node> nodes = trace_path(family, best.start, {}).nodes;
@@ -218,23 +216,6 @@ TEST(FixedCosts, LoseNoMoreThanTheyState) {
     ASSERT_LE(rescored, exact.cost + bound);
     ASSERT_GE(rescored, exact.cost - 1e-12 * (1.0 + exact.cost));
     ASSERT_NEAR(best.cost * fixed.quantum, rescored, 0.5 * bound);
-  }
-}
-
-TEST(FixedCosts, KeepTheLexicographicOrder) {
-  std::mt19937 random(7);
-  for (int n = 0; n < 1000; ++n) {
-    NodeTable table{1 + random() % 5, 1 + random() % 5, {}, {}};
-    for (std::size_t k = 0; k < table.rows * table.cols; ++k) {
-      table.invalid.push_back(random() % 3 == 0 ? 1 : 0);
-      table.cost.push_back(table.invalid.back() != 0 ? 0.0 : static_cast<double>(random() % 9) / 8.0);
-    }
-    const brute::Found best = brute::closed(table, Aggregate::sum);
-    const FixedCosts fixed = fixed_costs(table, true);
-    const PathFamily<std::int32_t> family{&fixed.table, static_cast<int>(table.rows) + 1, false, {}};
-    const double penalty = static_cast<double>(table.rows + table.cols);
-    const auto found = StartFamily<std::int32_t>(family, 1).best({});
-    ASSERT_NEAR(found.cost * fixed.quantum, best.cost + penalty * static_cast<double>(best.invalid), 1e-6);
   }
 }
 
