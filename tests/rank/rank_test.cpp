@@ -55,7 +55,8 @@ TEST(Rank, PruningAndThreadsDoNotChangeTheAnswer) {
         options.stream.threads = threads;
         const Ranking pruned = rank(shapes[0], shapes, options);
         expect_same(pruned, exhaustive);
-        EXPECT_GT(pruned.pruned, 100U);
+        // 106 to 443 in order; with threads, those that start before the first L's are done escape.
+        EXPECT_GT(pruned.pruned, 50U);
       }
     }
   }
