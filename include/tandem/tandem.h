@@ -13,6 +13,7 @@
 #include "tandem/error.h"
 #include "tandem/match/match.h"
 #include "tandem/match/rotation.h"
+#include "tandem/morph/key_frames.h"
 #include "tandem/morph/morph.h"
 #include "tandem/morph/moving_frame.h"
 #include "tandem/morph/path_morph.h"
