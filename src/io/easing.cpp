@@ -3,6 +3,7 @@
 #include <fast_float/fast_float.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 #include "tandem/error.h"
@@ -15,7 +16,47 @@ bool is_separator(char c) {
   return c == ' ' || c == '\t' || c == ',';
 }
 
+// The blossom of the Bezier curve with the coordinates 0, p, q, 1.
+double blossom(double p, double q, double a, double b, double c) {
+  const double first = (1.0 - b) * ((1.0 - a) * 0.0 + a * p) + b * ((1.0 - a) * p + a * q);
+  const double second = (1.0 - b) * ((1.0 - a) * p + a * q) + b * ((1.0 - a) * q + a * 1.0);
+  return (1.0 - c) * first + c * second;
+}
+
+// The parameter at which a rising coordinate takes a value.
+double solve(double p, double q, double value) {
+  if (value <= 0.0) return 0.0;
+  if (value >= 1.0) return 1.0;
+  constexpr int kHalvings = 60;  // to the last bits
+  double lo = 0.0;
+  double hi = 1.0;
+  for (int i = 0; i < kHalvings; ++i) {
+    const double middle = 0.5 * (lo + hi);
+    (blossom(p, q, middle, middle, middle) < value ? lo : hi) = middle;
+  }
+  return 0.5 * (lo + hi);
+}
+
 }  // namespace
+
+EasingPart part_of(const Easing& easing, double from, double to) {
+  if (easing.linear()) return {from, {}};
+  const double t0 = solve(easing.y1, easing.y2, from);
+  const double t1 = solve(easing.y1, easing.y2, to);
+  const auto controls = [&](double p, double q) {
+    const double start = blossom(p, q, t0, t0, t0);
+    const double end = blossom(p, q, t1, t1, t1);
+    const auto share = [&](double x) { return std::clamp((x - start) / (end - start), 0.0, 1.0); };
+    return std::array<double, 2>{share(blossom(p, q, t0, t0, t1)), share(blossom(p, q, t0, t1, t1))};
+  };
+  const auto [x1, x2] = controls(easing.x1, easing.x2);
+  const auto [y1, y2] = controls(easing.y1, easing.y2);
+  return {blossom(easing.x1, easing.x2, t0, t0, t0), {x1, y1, x2, y2}};
+}
+
+Easing reversed(const Easing& easing) {
+  return {1.0 - easing.x2, 1.0 - easing.y2, 1.0 - easing.x1, 1.0 - easing.y1};
+}
 
 Easing parse_easing(std::string_view text) {
   if (text == "linear") return {};

@@ -15,6 +15,20 @@ struct Easing {
   [[nodiscard]] bool linear() const noexcept { return x1 == y1 && x2 == y2; }
 };
 
+/// Part of an easing as one of its own: it starts at the time `start`.
+struct EasingPart {
+  double start = 0.0;
+  Easing easing;
+};
+
+/// The part that runs from the share `from` of the way to the share `to`, 0 <= from < to <= 1. A part of a
+/// Bezier curve is one, so it is exact, but for rare controls beyond [0,1], which formats do not take: they
+/// are moved to the bound.
+[[nodiscard]] EasingPart part_of(const Easing& easing, double from, double to);
+
+/// The easing of the same motion run backwards.
+[[nodiscard]] Easing reversed(const Easing& easing);
+
 /// "linear", "ease", "ease-in", "ease-out", "ease-in-out", or four numbers in [0,1] separated by blanks or
 /// commas.
 /// @throws InvalidArgument anything else

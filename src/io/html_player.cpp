@@ -1,19 +1,19 @@
 #include <fmt/format.h>
 
-#include <cmath>
 #include <string_view>
 
-#include "io/easing.h"
 #include "io/html.h"
 #include "io/html_player_page.h"
 #include "io/number.h"
 #include "io/svg_parts.h"
-#include "tandem/error.h"
+#include "io/timeline.h"
 #include "tandem/io/svg.h"
 
 namespace tandem {
 inline namespace v0 {
 namespace {
+
+constexpr int kAngleDecimals = 6;
 
 // M's point, then one point for every L and three for every C: as the page's script reads them.
 std::string numbers(const CubicPath& path, const std::vector<bool>& lines, int precision) {
@@ -31,23 +31,22 @@ std::string numbers(const CubicPath& path, const std::vector<bool>& lines, int p
   return text + "]";
 }
 
-std::string contour_data(const PathContour& contour, int precision) {
+std::string contour_data(const KeyFrames& frames, std::size_t contour, int precision) {
   std::string commands;
-  for (const bool line : contour.lines) commands += line ? 'L' : 'C';
-  std::string text = fmt::format("{{\"closed\":{},\"commands\":\"{}\",\"keys\":[",
-                                 contour.keys.front().is_closed(), commands);
-  for (std::size_t key = 0; key < contour.keys.size(); ++key) {
-    if (key > 0) text += ",\n";
-    text += numbers(contour.keys[key], contour.lines, precision);
+  for (const bool line : frames.lines[contour]) commands += line ? 'L' : 'C';
+  std::string text = fmt::format("{{\"closed\":{},\"commands\":\"{}\",\"frames\":[",
+                                 frames.paths.front()[contour].is_closed(), commands);
+  for (std::size_t frame = 0; frame < frames.paths.size(); ++frame) {
+    if (frame > 0) text += ",\n";
+    text += numbers(frames.paths[frame][contour], frames.lines[contour], precision);
   }
   return text + "]}";
 }
 
-// [x, y, degrees] of the frame at every key.
-std::string pose_data(const PathMorph& morph, int precision) {
-  constexpr int kAngleDecimals = 6;
+// [x, y, degrees] of the moving frame at every frame of the film.
+std::string pose_data(const KeyFrames& frames, int precision) {
   std::string text = "[";
-  for (const FramePose& pose : morph.poses()) {
+  for (const FramePose& pose : frames.poses) {
     if (text.size() > 1) text += ',';
     text += fmt::format("[{},{},{}]", format_number(pose.center.x, precision),
                         format_number(pose.center.y, precision), format_number(pose.degrees, kAngleDecimals));
@@ -55,24 +54,26 @@ std::string pose_data(const PathMorph& morph, int precision) {
   return text + "]";
 }
 
-std::string morph_data(const PathMorph& morph, const AnimationOptions& options) {
-  const View view = view_of(morph.box());
-  const int precision = decimals_for(view.size());
+std::string morph_data(const KeyFrames& frames, const AnimationOptions& options) {
+  const View view = view_of(frames.box);
+  const int precision = decimals_for(view, options.precision);
   const Easing easing = parse_easing(options.easing);
-  std::string text = fmt::format(
-      "{{\"keys\":{},\"view\":[{},{},{},{}],\"rule\":\"{}\",\"duration\":{},\"alternate\":{},"
+  std::string text = "{\"times\":[";
+  for (const double s : frames.times) text += (s == 0.0 ? "" : ",") + format_number(s);
+  text += fmt::format(
+      "],\"keys\":[{}],\"view\":[{},{},{},{}],\"rule\":\"{}\",\"duration\":{},\"alternate\":{},\"repeat\":{},"
       "\"easing\":[{},{},{},{}],\n\"contours\":[",
-      morph.key_count(), format_number(view.x, precision), format_number(view.y, precision),
+      fmt::join(frames.keys, ","), format_number(view.x, precision), format_number(view.y, precision),
       format_number(view.width, precision), format_number(view.height, precision),
-      morph.fill_rule() == FillRule::evenodd ? "evenodd" : "nonzero", format_number(options.duration),
-      options.alternate, format_number(easing.x1), format_number(easing.y1), format_number(easing.x2),
-      format_number(easing.y2));
-  for (std::size_t c = 0; c < morph.contours().size(); ++c) {
+      frames.fill_rule == FillRule::evenodd ? "evenodd" : "nonzero", format_number(options.duration),
+      options.alternate, options.repeat, format_number(easing.x1), format_number(easing.y1),
+      format_number(easing.x2), format_number(easing.y2));
+  for (std::size_t c = 0; c < frames.paths.front().size(); ++c) {
     if (c > 0) text += ",\n";
-    text += contour_data(morph.contours()[c], precision);
+    text += contour_data(frames, c, precision);
   }
   text += ']';
-  if (morph.turns()) text += ",\n\"poses\":" + pose_data(morph, precision);
+  if (!frames.poses.empty()) text += ",\n\"poses\":" + pose_data(frames, precision);
   return text + '}';
 }
 
@@ -80,11 +81,10 @@ std::string morph_data(const PathMorph& morph, const AnimationOptions& options) 
 
 std::string format_html_player(const PathMorph& morph, const std::string& title,
                                const AnimationOptions& options) {
-  if (!(options.duration > 0.0 && std::isfinite(options.duration))) {
-    throw InvalidArgument(fmt::format("player: duration is {} s, expected > 0", options.duration));
-  }
+  check_animation(options);
+  const KeyFrames frames = key_frames(morph, {.tolerance = options.tolerance, .bake_turn = false});
   std::string page = replace_all(kPlayerHead, "%TITLE%", escape_html(title));
-  page += "<script type=\"application/json\" id=\"morph\">\n" + morph_data(morph, options) + "\n</script>\n";
+  page += "<script type=\"application/json\" id=\"morph\">\n" + morph_data(frames, options) + "\n</script>\n";
   return page + kPlayerScript;
 }
 

@@ -91,31 +91,33 @@ kbd { font: inherit; border: 1px solid var(--line); border-radius: 4px; padding:
 inline constexpr const char* kPlayerScript = R"page(<script>
 "use strict";
 const morph = JSON.parse(document.getElementById("morph").textContent);
-const last = morph.keys - 1;
+const keyTimes = morph.keys.map((i) => morph.times[i]);
+const last = keyTimes.length - 1;
 const byId = (id) => document.getElementById(id);
 const size = Math.max(morph.view[2], morph.view[3]);
 const still = matchMedia("(prefers-reduced-motion: reduce)").matches;
 
-// The affine blend of the library: between key and key + 1, at local, turned and moved with the frame.
-function locate(s) {
-  const x = s * last;
-  const key = Math.min(Math.max(Math.floor(x), 0), last - 1);
-  return [key, x - key];
+// The last of the rising values that is no greater than x, with another one behind it, and how far x is on the way there.
+function locate(values, x) {
+  let i = values.length - 2;
+  while (i > 0 && values[i] > x) i--;
+  return [i, (x - values[i]) / (values[i + 1] - values[i])];
 }
 
-function frame(key, local) {
+// The library's blend: evenly from frame to frame, turned and moved with the moving frame.
+function mover(i, local) {
   if (!morph.poses) return (x, y) => [x, y];
-  const [cx, cy, degrees] = morph.poses[key].map((a, i) => (1 - local) * a + local * morph.poses[key + 1][i]);
+  const [cx, cy, degrees] = morph.poses[i].map((a, k) => (1 - local) * a + local * morph.poses[i + 1][k]);
   const cosine = Math.cos(degrees * Math.PI / 180), sine = Math.sin(degrees * Math.PI / 180);
   return (x, y) => [cosine * x - sine * y + cx, sine * x + cosine * y + cy];
 }
 
 function blend(s) {
-  const [key, local] = locate(s);
-  const place = frame(key, local);
+  const [i, local] = locate(morph.times, s);
+  const place = mover(i, local);
   const parts = { fill: "", stroke: "" };
   for (const contour of morph.contours) {
-    const a = contour.keys[key], b = contour.keys[key + 1];
+    const a = contour.frames[i], b = contour.frames[i + 1];
     let at = 0;
     const next = () => (1 - local) * a[at] + local * b[at++];
     const point = () => place(next(), next()).map((x) => +x.toPrecision(8)).join(" ");
@@ -144,24 +146,28 @@ for (const id of ["fill", "stroke"]) {
 
 // Film strip: every key and evenly spaced in-betweens.
 const each = Math.max(1, Math.round(8 / last));
-const frames = last * each;
-for (let i = 0; i <= frames && frames <= 24; i++) {
+const strip = last * each;
+const stripTimes = [];
+for (let i = 0; i <= strip && strip <= 24; i++) {
   const button = document.createElement("button");
   button.type = "button";
   const isKey = i % each === 0;
+  const key = Math.min(Math.floor(i / each), last - 1);
+  const at = keyTimes[key] + (i / each - key) * (keyTimes[key + 1] - keyTimes[key]);
+  stripTimes.push(at);
   button.className = isKey ? "key" : "";
-  button.setAttribute("aria-label", isKey ? "Key " + (i / each + 1) : "In-between at " + (i / frames).toFixed(2));
+  button.setAttribute("aria-label", isKey ? "Key " + (i / each + 1) : "In-between at " + at.toFixed(2));
   const picture = svg("svg", { viewBox: box, "aria-hidden": "true" });
-  const parts = blend(i / frames);
+  const parts = blend(at);
   picture.append(svg("path", { class: "fill", d: parts.fill, "fill-rule": morph.rule }),
                  svg("path", { class: "stroke", d: parts.stroke, "stroke-width": size * 0.02 }));
   button.append(picture);
-  button.addEventListener("click", () => { pause(); show(i / frames); });
+  button.addEventListener("click", () => { pause(); show(at); });
   byId("strip").append(button);
 }
-for (let i = 0; last > 1 && i <= last; i++) {
+for (const time of last > 1 ? keyTimes : []) {
   const tick = document.createElement("option");
-  tick.value = i / last;
+  tick.value = time;
   byId("ticks").append(tick);
 }
 
@@ -189,7 +195,8 @@ function show(value) {
   byId("stroke").setAttribute("d", parts.stroke);
   byId("s").value = s;
   byId("value").textContent = s.toFixed(2);
-  const near = Math.round(s * frames);
+  const distance = (at) => Math.abs(at - s);
+  const near = stripTimes.reduce((best, at, i) => distance(at) < distance(stripTimes[best]) ? i : best, 0);
   [...byId("strip").children].forEach((button, i) => button.classList.toggle("near", i === near));
 }
 
@@ -206,12 +213,12 @@ function solve(p1, p2, q1, q2, x) {
   return bezier(q1, q2, (lo + hi) / 2);
 }
 function timeToS(time) {
-  const [key, local] = locate(time);
-  return (key + solve(x1, x2, y1, y2, local)) / last;
+  const [key, local] = locate(keyTimes, time);
+  return keyTimes[key] + solve(x1, x2, y1, y2, local) * (keyTimes[key + 1] - keyTimes[key]);
 }
 function sToTime(value) {
-  const [key, local] = locate(value);
-  return (key + solve(y1, y2, x1, x2, local)) / last;
+  const [key, local] = locate(keyTimes, value);
+  return keyTimes[key] + solve(y1, y2, x1, x2, local) * (keyTimes[key + 1] - keyTimes[key]);
 }
 
 let playing = false, direction = 1, time = 0, before = 0;
@@ -219,7 +226,16 @@ function step(now) {
   if (!playing) return;
   time += direction * Math.min(now - before, 100) / 1000 / morph.duration;
   before = now;
-  if (time > 1) { if (morph.alternate) { direction = -1; time = Math.max(2 - time, 0); } else time %= 1; }
+  const turning = time > 1 && morph.alternate;
+  const over = turning ? false : direction > 0 ? time > 1 : time < 0;
+  if (over && !morph.repeat) {
+    show(direction > 0 ? 1 : 0);
+    direction = 1;
+    pause();
+    return;
+  }
+  if (turning) { direction = -1; time = Math.max(2 - time, 0); }
+  if (time > 1) time %= 1;
   if (time < 0) { direction = 1; time = Math.min(-time, 1); }
   show(timeToS(time));
   requestAnimationFrame(step);
@@ -227,6 +243,7 @@ function step(now) {
 function setPlaying(on) {
   if (on && !playing) {
     time = sToTime(s);
+    if (time >= 1 && !morph.alternate) time = 0;
     before = performance.now();
     requestAnimationFrame(step);
   }

@@ -1,29 +1,24 @@
 #include <fmt/format.h>
 
-#include <cmath>
+#include <algorithm>
 
-#include "io/easing.h"
 #include "io/number.h"
 #include "io/svg_parts.h"
-#include "tandem/error.h"
+#include "io/timeline.h"
 #include "tandem/io/svg.h"
 
 namespace tandem {
 inline namespace v0 {
 namespace {
 
-// Of degrees: 1e-6 of them move nothing on a screen.
-constexpr int kAngleDecimals = 6;
+// Of degrees, shares of time and easings: 1e-6 of them move nothing on a screen.
+constexpr int kDecimals = 6;
 
-// The keys in the order in which the loop runs through them.
-std::vector<std::size_t> loop_of(std::size_t key_count, bool alternate) {
-  std::vector<std::size_t> order;
-  for (std::size_t key = 0; key < key_count; ++key) order.push_back(key);
-  if (alternate) {
-    for (std::size_t key = key_count - 1; key-- > 0;) order.push_back(key);
-  }
-  return order;
-}
+// Style sheets cannot stop an animation of this kind, but they can show a still picture instead.
+constexpr const char* kReducedMotion =
+    "<style>@media (prefers-reduced-motion: reduce) { .tandem-moving { display: none } .tandem-still { "
+    "display: inline } "
+    "}</style>\n";
 
 template <class Format>
 std::string joined(std::size_t count, Format format) {
@@ -36,70 +31,85 @@ std::string joined(std::size_t count, Format format) {
 }
 
 // Attributes of the animation but its values: when, how often, how fast.
-std::string timing(std::size_t frames, std::size_t key_count, const AnimationOptions& options) {
-  const double loop = options.duration * static_cast<double>(frames - 1) / static_cast<double>(key_count - 1);
-  std::string text = fmt::format("dur=\"{}s\" repeatCount=\"indefinite\"", format_number(loop, 6));
-  const std::string times = joined(frames, [&](std::size_t i) {
-    return format_number(static_cast<double>(i) / static_cast<double>(frames - 1), 6);
-  });
-  text += fmt::format(" keyTimes=\"{}\"", times);
-  const Easing easing = parse_easing(options.easing);
-  if (easing.linear()) return text + " calcMode=\"linear\"";
-  // On the way back the same motion runs backwards, so the curve is turned round.
-  const std::string splines = joined(frames - 1, [&](std::size_t i) {
-    const bool back = i + 1 >= key_count;
-    return back ? fmt::format("{} {} {} {}", format_number(1.0 - easing.x2), format_number(1.0 - easing.y2),
-                              format_number(1.0 - easing.x1), format_number(1.0 - easing.y1))
-                : fmt::format("{} {} {} {}", format_number(easing.x1), format_number(easing.y1),
-                              format_number(easing.x2), format_number(easing.y2));
+std::string timing(const std::vector<TimelineStep>& steps, const AnimationOptions& options) {
+  std::string text =
+      fmt::format("dur=\"{}s\" {}", format_number(loop_seconds(options), kDecimals),
+                  options.repeat ? "repeatCount=\"indefinite\"" : "repeatCount=\"1\" fill=\"freeze\"");
+  text += fmt::format(" keyTimes=\"{}\"", joined(steps.size(), [&](std::size_t i) {
+                        return format_number(steps[i].time, kDecimals);
+                      }));
+  const bool linear =
+      std::all_of(steps.begin(), steps.end(), [](const TimelineStep& step) { return step.easing.linear(); });
+  if (linear) return text + " calcMode=\"linear\"";
+  const std::string splines = joined(steps.size() - 1, [&](std::size_t i) {
+    const Easing& easing = steps[i].easing;
+    return fmt::format("{} {} {} {}", format_number(easing.x1, kDecimals),
+                       format_number(easing.y1, kDecimals), format_number(easing.x2, kDecimals),
+                       format_number(easing.y2, kDecimals));
   });
   return text + fmt::format(" calcMode=\"spline\" keySplines=\"{}\"", splines);
+}
+
+// The picture of a frame at rest.
+std::string still(const KeyFrames& frames, std::size_t frame, const PathDataParts& parts, const View& view,
+                  int precision) {
+  std::string text = "<g class=\"tandem-still\" display=\"none\"";
+  if (!frames.poses.empty()) {
+    const FramePose& pose = frames.poses[frame];
+    text += fmt::format(" transform=\"translate({} {}) rotate({})\"", format_number(pose.center.x, precision),
+                        format_number(pose.center.y, precision), format_number(pose.degrees, kDecimals));
+  }
+  text += ">\n";
+  if (!parts.filled.empty())
+    text += fmt::format("<path {} d=\"{}\"/>\n", fill_attributes(frames.fill_rule), parts.filled);
+  if (!parts.stroked.empty())
+    text += fmt::format("<path {} d=\"{}\"/>\n", stroke_attributes(view), parts.stroked);
+  return text + "</g>\n";
 }
 
 }  // namespace
 
 std::string format_animated_svg(const PathMorph& morph, const AnimationOptions& options) {
-  if (!(options.duration > 0.0 && std::isfinite(options.duration))) {
-    throw InvalidArgument(fmt::format("animation: duration is {} s, expected > 0", options.duration));
+  check_animation(options);
+  // A browser turns and moves groups evenly by itself, to the dot.
+  const KeyFrames frames = key_frames(morph, {.tolerance = options.tolerance, .bake_turn = false});
+  const View view = view_of(frames.box);
+  const int precision = decimals_for(view, options.precision);
+  std::vector<PathDataParts> parts;
+  for (const std::vector<CubicPath>& paths : frames.paths) {
+    parts.push_back(path_data_parts(paths, frames.lines, precision));
   }
-  const View view = view_of(morph.box());
-  const int precision = decimals_for(view.size());
-  std::vector<PathDataParts> keys;
-  for (std::size_t key = 0; key < morph.key_count(); ++key) {
-    std::vector<CubicPath> paths;
-    for (const PathContour& contour : morph.contours()) paths.push_back(contour.keys[key]);
-    keys.push_back(path_data_parts(paths, morph.contours(), precision));
-  }
-  const std::vector<std::size_t> order = loop_of(morph.key_count(), options.alternate);
-  const std::string when = timing(order.size(), morph.key_count(), options);
+  const std::vector<TimelineStep> steps = loop_timeline(frames, options);
+  const std::string when = timing(steps, options);
 
-  std::string text =
-      fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"{}\">\n", format_view_box(view));
+  std::string text = fmt::format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"{}\">\n{}<g class=\"tandem-moving\">\n",
+      format_view_box(view), kReducedMotion);
   const auto animate_frame = [&](const char* type, const auto& value) {
     const std::string values =
-        joined(order.size(), [&](std::size_t i) { return value(morph.poses()[order[i]]); });
+        joined(steps.size(), [&](std::size_t i) { return value(frames.poses[steps[i].frame]); });
     text += fmt::format(
         "<g transform=\"{0}({1})\">\n<animateTransform attributeName=\"transform\" type=\"{0}\" {2} "
         "values=\"{3}\"/>\n",
-        type, value(morph.poses().front()), when, values);
+        type, value(frames.poses.front()), when, values);
   };
-  // Turned evenly about a centre that moves evenly: what a browser does by itself, to the dot.
-  if (morph.turns()) {
+  if (!frames.poses.empty()) {
     animate_frame("translate", [&](const FramePose& pose) {
       return format_number(pose.center.x, precision) + " " + format_number(pose.center.y, precision);
     });
-    animate_frame("rotate",
-                  [](const FramePose& pose) { return format_number(pose.degrees, kAngleDecimals); });
+    animate_frame("rotate", [](const FramePose& pose) { return format_number(pose.degrees, kDecimals); });
   }
   const auto animate = [&](const std::string& attributes, std::string PathDataParts::*part) {
-    if ((keys.front().*part).empty()) return;
-    const std::string values = joined(order.size(), [&](std::size_t i) { return keys[order[i]].*part; });
+    if ((parts.front().*part).empty()) return;
+    const std::string values =
+        joined(steps.size(), [&](std::size_t i) { return parts[steps[i].frame].*part; });
     text += fmt::format("<path {} d=\"{}\">\n<animate attributeName=\"d\" {} values=\"{}\"/>\n</path>\n",
-                        attributes, keys.front().*part, when, values);
+                        attributes, parts.front().*part, when, values);
   };
-  animate(fill_attributes(morph.fill_rule()), &PathDataParts::filled);
+  animate(fill_attributes(frames.fill_rule), &PathDataParts::filled);
   animate(stroke_attributes(view), &PathDataParts::stroked);
-  return text + (morph.turns() ? "</g></g>\n</svg>\n" : "</svg>\n");
+  if (!frames.poses.empty()) text += "</g></g>\n";
+  return text + "</g>\n" + still(frames, frames.paths.size() - 1, parts.back(), view, precision) + "</svg>\n";
 }
 
 }  // namespace v0

@@ -17,8 +17,6 @@ constexpr double kStrokeWidth = 0.012;  // of the larger side
 constexpr double kRelativeUnit = 1e-5;  // last decimal, as a share of the size
 constexpr int kMostDecimals = 20;
 
-constexpr const char* kInk = "#1f2733";
-
 }  // namespace
 
 View view_of(const Box& box) {
@@ -36,22 +34,29 @@ int decimals_for(double size) {
   return static_cast<int>(std::max(decimals, 0.0));
 }
 
+int decimals_for(const View& view, int precision) {
+  return precision >= 0 ? precision : decimals_for(view.size());
+}
+
 std::string format_view_box(const View& view) {
   const int precision = decimals_for(view.size());
   return fmt::format("{} {} {} {}", format_number(view.x, precision), format_number(view.y, precision),
                      format_number(view.width, precision), format_number(view.height, precision));
 }
 
-PathDataParts path_data_parts(std::span<const CubicPath> paths, std::span<const PathContour> contours,
+PathDataParts path_data_parts(std::span<const CubicPath> paths, std::span<const std::vector<bool>> lines,
                               int precision) {
   PathDataParts parts;
   for (std::size_t i = 0; i < paths.size(); ++i) {
-    std::span<const std::vector<bool>> lines;
-    if (i < contours.size()) lines = {&contours[i].lines, 1};
     std::string& text = paths[i].is_closed() ? parts.filled : parts.stroked;
-    text += format_path_data(paths.subspan(i, 1), lines, precision);
+    text += format_path_data(paths.subspan(i, 1), i < lines.size() ? lines.subspan(i, 1) : lines.first(0),
+                             precision);
   }
   return parts;
+}
+
+double stroke_width(const View& view) {
+  return kStrokeWidth * view.size();
 }
 
 std::string fill_attributes(FillRule fill_rule) {
@@ -59,11 +64,10 @@ std::string fill_attributes(FillRule fill_rule) {
 }
 
 std::string stroke_attributes(const View& view) {
-  const double width = kStrokeWidth * view.size();
   // Butt caps: a contour that has shrunk to a point draws nothing.
   return fmt::format(
       "fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" stroke-linecap=\"butt\" stroke-linejoin=\"round\"",
-      kInk, format_number(width, decimals_for(view.size())));
+      kInk, format_number(stroke_width(view), decimals_for(view.size())));
 }
 
 }  // namespace v0

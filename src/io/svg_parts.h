@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "tandem/curve/bounding_box.h"
-#include "tandem/morph/path_morph.h"
 #include "tandem/shape/cubic_path.h"
+#include "tandem/shape/shape.h"
 
 namespace tandem {
 inline namespace v0 {
@@ -28,6 +28,8 @@ struct View {
 /// Decimals that keep rounding below 1e-5 of `size`; -1 (shortest exact text) where that is no sensible
 /// number.
 [[nodiscard]] int decimals_for(double size);
+/// `precision` where it is given (>= 0), else decimals_for(the view).
+[[nodiscard]] int decimals_for(const View& view, int precision);
 
 [[nodiscard]] std::string format_view_box(const View& view);
 
@@ -38,8 +40,15 @@ struct PathDataParts {
   std::string stroked;
 };
 
+/// lines: as format_path_data().
 [[nodiscard]] PathDataParts path_data_parts(std::span<const CubicPath> paths,
-                                            std::span<const PathContour> contours, int precision);
+                                            std::span<const std::vector<bool>> lines, int precision);
+
+/// What pictures are drawn in.
+inline constexpr const char* kInk = "#1f2733";
+
+/// Width of lines, in the units of the view.
+[[nodiscard]] double stroke_width(const View& view);
 
 /// Attributes of the filled and of the stroked path.
 [[nodiscard]] std::string fill_attributes(FillRule fill_rule);

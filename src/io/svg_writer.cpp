@@ -33,27 +33,27 @@ std::string format_svg(const Shape& shape) {
   const Box box = bounding_box(shape);
   const double tolerance = std::max(kTolerance * box.diagonal(), std::numeric_limits<double>::min());
   std::vector<CubicPath> paths;
-  std::vector<PathContour> contours;
+  std::vector<std::vector<bool>> lines;
   for (const Curve& curve : shape.contours) {
     paths.push_back(to_cubic_path(curve, tolerance));
-    PathContour contour;
+    std::vector<bool>& straight = lines.emplace_back();
     for (std::size_t k = 0; k < paths.back().segment_count(); ++k) {
-      contour.lines.push_back(paths.back().is_line(k, 0.0));
+      straight.push_back(paths.back().is_line(k, 0.0));
     }
-    contours.push_back(std::move(contour));
   }
-  return document(view_of(box), path_data_parts(paths, contours, -1), shape.fill_rule);
+  return document(view_of(box), path_data_parts(paths, lines, -1), shape.fill_rule);
 }
 
-std::string format_frame_svg(const PathMorph& morph, double s) {
+std::string format_frame_svg(const PathMorph& morph, double s, int precision) {
   const std::vector<CubicPath> paths = morph.at(s);
   Box box = morph.box();
   if (s < 0.0 || s > 1.0) {
     for (const CubicPath& path : paths) box.include(bounding_box(to_curve(path)));
   }
   const View view = view_of(box);
-  return document(view, path_data_parts(paths, morph.contours(), decimals_for(view.size())),
-                  morph.fill_rule());
+  std::vector<std::vector<bool>> lines;
+  for (const PathContour& contour : morph.contours()) lines.push_back(contour.lines);
+  return document(view, path_data_parts(paths, lines, decimals_for(view, precision)), morph.fill_rule());
 }
 
 }  // namespace v0

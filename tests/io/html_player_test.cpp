@@ -38,7 +38,9 @@ TEST(HtmlPlayer, HoldsTheKeysAsNumbers) {
   const std::string page = format_html_player(morph, "Square to disc", {.duration = 1.5, .easing = "ease"});
   const nlohmann::json data =
       nlohmann::json::parse(between(page, "<script type=\"application/json\" id=\"morph\">", "</script>"));
-  EXPECT_EQ(data["keys"], 3);
+  EXPECT_EQ(data["keys"], nlohmann::json({0, 1, 2}));
+  EXPECT_EQ(data["times"], nlohmann::json({0, 0.5, 1}));
+  EXPECT_EQ(data["repeat"], true);
   EXPECT_EQ(data["rule"], "evenodd");
   EXPECT_EQ(data["duration"], 1.5);
   EXPECT_EQ(data["alternate"], true);
@@ -52,12 +54,12 @@ TEST(HtmlPlayer, HoldsTheKeysAsNumbers) {
   EXPECT_NE(commands.find('C'), std::string::npos);
   std::size_t numbers = 2;
   for (const char c : commands) numbers += c == 'L' ? 2 : 6;
-  ASSERT_EQ(contour["keys"].size(), 3u);
+  ASSERT_EQ(contour["frames"].size(), 3u);
   for (std::size_t key = 0; key < 3; ++key) {
-    ASSERT_EQ(contour["keys"][key].size(), numbers);
+    ASSERT_EQ(contour["frames"][key].size(), numbers);
     const auto first = morph.contours()[0].keys[key].control_points()[0];
-    EXPECT_NEAR(contour["keys"][key][0], first[0], 1e-3);
-    EXPECT_NEAR(contour["keys"][key][1], first[1], 1e-3);
+    EXPECT_NEAR(contour["frames"][key][0], first[0], 1e-3);
+    EXPECT_NEAR(contour["frames"][key][1], first[1], 1e-3);
   }
 }
 
@@ -74,7 +76,7 @@ TEST(HtmlPlayer, HoldsThePosesOfATurningFrame) {
   EXPECT_EQ(data["poses"][0][2], 0);
   EXPECT_NEAR(data["poses"][1][2], 90.0, 1e-5);
   // As the frame sees them both keys are the same.
-  const auto& numbers = data["contours"][0]["keys"];
+  const auto& numbers = data["contours"][0]["frames"];
   ASSERT_EQ(numbers[0].size(), numbers[1].size());
   for (std::size_t i = 0; i < numbers[0].size(); ++i) {
     EXPECT_NEAR(double(numbers[0][i]), double(numbers[1][i]), 1e-3);

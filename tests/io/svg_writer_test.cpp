@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "io/easing.h"
 #include "io/svg_parts.h"
 #include "tandem/error.h"
 #include "tandem/io/path_data.h"
@@ -41,6 +40,10 @@ pugi::xml_document parsed(const std::string& text) {
   const pugi::xml_parse_result result = document.load_buffer(text.data(), text.size(), pugi::parse_full);
   EXPECT_TRUE(result) << result.description() << " at " << result.offset << " of\n" << text;
   return document;
+}
+
+pugi::xml_node moving(const pugi::xml_document& document) {
+  return document.child("svg").child("g");
 }
 
 std::vector<std::string> split(const std::string& text, char separator) {
@@ -135,7 +138,7 @@ TEST(SvgWriter, FramesShareTheirViewBox) {
 TEST(AnimatedSvg, LoopsThroughTheKeysAndBack) {
   const PathMorph morph = some_morph(3);
   const pugi::xml_document document = parsed(format_animated_svg(morph, {.duration = 3.0}));
-  const pugi::xml_node path = document.child("svg").child("path");
+  const pugi::xml_node path = moving(document).child("path");
   const pugi::xml_node animate = path.child("animate");
   EXPECT_STREQ(animate.attribute("attributeName").value(), "d");
   EXPECT_STREQ(animate.attribute("dur").value(), "6s");
@@ -157,12 +160,12 @@ TEST(AnimatedSvg, EasesFromKeyToKey) {
   const PathMorph morph = some_morph();
   const pugi::xml_document there =
       parsed(format_animated_svg(morph, {.duration = 1.0, .easing = "ease-in", .alternate = false}));
-  const pugi::xml_node animate = there.child("svg").child("path").child("animate");
+  const pugi::xml_node animate = moving(there).child("path").child("animate");
   EXPECT_STREQ(animate.attribute("calcMode").value(), "spline");
   EXPECT_STREQ(animate.attribute("keySplines").value(), "0.42 0 1 1");
   const pugi::xml_document back =
       parsed(format_animated_svg(morph, {.duration = 1.0, .easing = "0.1 0.2 0.5 1"}));
-  EXPECT_STREQ(back.child("svg").child("path").child("animate").attribute("keySplines").value(),
+  EXPECT_STREQ(moving(back).child("path").child("animate").attribute("keySplines").value(),
                "0.1 0.2 0.5 1;0.5 0 0.9 0.8");
 }
 
@@ -175,7 +178,7 @@ TEST(AnimatedSvg, TurnsTheFrame) {
   ASSERT_TRUE(morph.turns());
   const pugi::xml_document document =
       parsed(format_animated_svg(morph, {.duration = 1.0, .alternate = false}));
-  const pugi::xml_node moved = document.child("svg").child("g");
+  const pugi::xml_node moved = moving(document).child("g");
   const pugi::xml_node rotated = moved.child("g");
   const pugi::xml_node path = rotated.child("path");
   EXPECT_STREQ(moved.child("animateTransform").attribute("type").value(), "translate");
@@ -199,20 +202,43 @@ TEST(AnimatedSvg, TurnsTheFrame) {
   }
 }
 
+TEST(AnimatedSvg, RestsAtTheEndWhereMotionIsUnwanted) {
+  const PathMorph morph = some_morph(3);
+  const std::string text = format_animated_svg(morph);
+  const pugi::xml_document document = parsed(text);
+  EXPECT_STREQ(moving(document).attribute("class").value(), "tandem-moving");
+  const pugi::xml_node still = moving(document).next_sibling("g");
+  EXPECT_STREQ(still.attribute("class").value(), "tandem-still");
+  EXPECT_STREQ(still.attribute("display").value(), "none");
+  EXPECT_NE(text.find("@media (prefers-reduced-motion: reduce)"), std::string::npos);
+  const std::vector<std::string> values =
+      split(moving(document).child("path").child("animate").attribute("values").value(), ';');
+  EXPECT_EQ(still.child("path").attribute("d").value(), values[2]);
+  // Elsewhere it is not there.
+  EXPECT_EQ(parse_svg(text).size(), 2u);
+}
+
+TEST(AnimatedSvg, PlaysOnceAndStays) {
+  const pugi::xml_document document =
+      parsed(format_animated_svg(some_morph(), {.alternate = false, .repeat = false}));
+  const pugi::xml_node animate = moving(document).child("path").child("animate");
+  EXPECT_STREQ(animate.attribute("repeatCount").value(), "1");
+  EXPECT_STREQ(animate.attribute("fill").value(), "freeze");
+}
+
+TEST(AnimatedSvg, KeepsAsManyDecimalsAsAsked) {
+  const pugi::xml_document document = parsed(format_animated_svg(some_morph(), {.precision = 1}));
+  const std::string d = moving(document).child("path").child("animate").attribute("values").value();
+  EXPECT_NE(d.find('.'), std::string::npos);
+  for (std::size_t at = 0; (at = d.find('.', at)) != std::string::npos; ++at) {
+    EXPECT_FALSE(std::isdigit(static_cast<unsigned char>(d[at + 2]))) << d;
+  }
+}
+
 TEST(AnimatedSvg, RejectsNonsense) {
   const PathMorph morph = some_morph();
   EXPECT_THROW((void)format_animated_svg(morph, {.duration = 0.0}), InvalidArgument);
   EXPECT_THROW((void)format_animated_svg(morph, {.easing = "bouncy"}), InvalidArgument);
-}
-
-TEST(Easing, ReadsNamesAndNumbers) {
-  EXPECT_TRUE(parse_easing("linear").linear());
-  EXPECT_EQ(parse_easing("ease-in-out").x2, 0.58);
-  EXPECT_EQ(parse_easing(" 0.1, 0.2 0.3,0.4 ").y2, 0.4);
-  for (const char* bad : {"", "0 0 1", "0 0 1 1 1", "0 0 1 1.5", "-0.1 0 1 1", "0 0 1 x", "0 0 nan 1",
-                          "0x 0 1 1", "0.1.2 0 1"}) {
-    EXPECT_THROW((void)parse_easing(bad), InvalidArgument) << bad;
-  }
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "tandem/io/animation.h"
 #include "tandem/morph/path_morph.h"
 #include "tandem/shape/shape.h"
 #include "tandem/tandem_io_export.h"
@@ -40,21 +41,16 @@ struct SvgElement {
 /// A still picture of the shape's contours (planar), filled or stroked.
 [[nodiscard]] TANDEM_IO_EXPORT std::string format_svg(const Shape& shape);
 
-struct AnimationOptions {
-  double duration = 2.0;  ///< seconds from the first key to the last
-  /// From each key to the next: "linear", "ease", "ease-in", "ease-out", "ease-in-out" or "x1 y1 x2 y2", all
-  /// in [0,1].
-  std::string easing = "linear";
-  bool alternate = true;  ///< run back again, for ever
-};
-
-/// An animated SVG (SMIL `animate` of `d`) that loops through the keys of the morph. Closed contours are
-/// filled, open ones stroked. @throws InvalidArgument duration <= 0, or no such easing
+/// An animated SVG (SMIL `animate` of `d`) that runs through the morph. Closed contours are filled, open ones
+/// stroked. Who prefers reduced motion sees the last key at rest. @throws InvalidArgument duration <= 0, or
+/// no such easing
 [[nodiscard]] TANDEM_IO_EXPORT std::string format_animated_svg(const PathMorph& morph,
                                                                const AnimationOptions& options = {});
 
 /// One still frame; all frames with s in [0,1] have the same viewBox, beyond it grows to hold the frame.
-[[nodiscard]] TANDEM_IO_EXPORT std::string format_frame_svg(const PathMorph& morph, double s);
+/// precision: as AnimationOptions::precision.
+[[nodiscard]] TANDEM_IO_EXPORT std::string format_frame_svg(const PathMorph& morph, double s,
+                                                            int precision = -1);
 
 /// A self-contained HTML page (no network): the morph with slider, play button, film strip and onion skin.
 /// Opened as page.html#s=0.5 it rests there; #s=0.5&onion shows the onion skin as well.
