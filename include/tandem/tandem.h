@@ -28,6 +28,8 @@
 #include "tandem/shape/cubic_path.h"
 #include "tandem/shape/hermite_segments.h"
 #include "tandem/shape/intersections.h"
+#include "tandem/shape/measures.h"
+#include "tandem/shape/nesting.h"
 #include "tandem/shape/path_builder.h"
 #include "tandem/shape/path_view.h"
 #include "tandem/shape/shape.h"
