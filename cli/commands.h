@@ -33,6 +33,11 @@ struct Command {
   std::string at;
   std::string duration = "2";
   std::string easing = "linear";
+  std::string play = "alternate";
+  std::string size = "512";
+  std::string precision;
+  std::string css = "d";
+  std::string name = "morph";
   std::function<Status(const Command&)> run;
 };
 

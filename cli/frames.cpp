@@ -30,9 +30,10 @@ std::string format_frames(std::span<const double> positions, const std::string& 
 }  // namespace
 
 std::string format_path_frames(const tandem::PathMorph& morph, std::span<const double> positions,
-                               const std::string& reports) {
-  return format_frames(positions, reports,
-                       [&](double s) { return "\"d\": \"" + tandem::format_path_data(morph, s) + '"'; });
+                               const std::string& reports, int precision) {
+  return format_frames(positions, reports, [&](double s) {
+    return "\"d\": \"" + tandem::format_path_data(morph, s, precision) + '"';
+  });
 }
 
 std::string format_curve_frames(const tandem::Morph& morph, std::span<const double> positions,

@@ -8,9 +8,11 @@
 
 namespace cli {
 
-/// {"frames": [{"s": 0.5, "d": "M0 0C..."}, ...], REPORTS}: planar in-betweens as path data.
+/// {"frames": [{"s": 0.5, "d": "M0 0C..."}, ...], REPORTS}: planar in-betweens as path data; precision as
+/// there.
 [[nodiscard]] std::string format_path_frames(const tandem::PathMorph& morph,
-                                             std::span<const double> positions, const std::string& reports);
+                                             std::span<const double> positions, const std::string& reports,
+                                             int precision);
 
 /// {"frames": [{"s": 0.5, "curves": [...]}, ...], REPORTS}: in-betweens of any dimension as JSON curves.
 [[nodiscard]] std::string format_curve_frames(const tandem::Morph& morph, std::span<const double> positions,

@@ -24,19 +24,29 @@ namespace fs = std::filesystem;
 
 struct Ending {
   std::string_view text;
+  std::string_view word;  ///< of --to
   Format format;
 };
-constexpr std::array kEndings = {Ending{".json", Format::json}, Ending{".svg", Format::svg},
-                                 Ending{".html", Format::html}, Ending{".itd", Format::itd},
-                                 Ending{".tdx", Format::index}, Ending{".jsonl", Format::json_lines},
-                                 Ending{".npy", Format::npy},   Ending{".csv", Format::csv}};
-constexpr std::array<std::string_view, 3> kLater = {".lottie.json", ".css", ".gif"};
+// The longer of two endings that fit stands first.
+constexpr std::array kEndings = {Ending{".lottie.json", "lottie", Format::lottie},
+                                 Ending{".avd.xml", "avd", Format::animated_vector},
+                                 Ending{".json", "json", Format::json},
+                                 Ending{".svg", "svg", Format::svg},
+                                 Ending{".html", "html", Format::html},
+                                 Ending{".css", "css", Format::css},
+                                 Ending{".gif", "gif", Format::gif},
+                                 Ending{".png", "png", Format::png},
+                                 Ending{".itd", "itd", Format::itd},
+                                 Ending{".tdx", "tdx", Format::index},
+                                 Ending{".jsonl", "jsonl", Format::json_lines},
+                                 Ending{".npy", "npy", Format::npy},
+                                 Ending{".csv", "csv", Format::csv}};
 
-std::string words(const std::vector<Format>& allowed, std::string_view dot) {
+std::string list(const std::vector<Format>& allowed, std::string_view Ending::*part) {
   std::string text;
   for (const Ending& ending : kEndings) {
     if (std::find(allowed.begin(), allowed.end(), ending.format) == allowed.end()) continue;
-    text += fmt::format("{}{}{}", text.empty() ? "" : ", ", dot, ending.text.substr(1));
+    text += fmt::format("{}{}", text.empty() ? "" : ", ", ending.*part);
   }
   return text;
 }
@@ -51,10 +61,11 @@ bool allows(const std::vector<Format>& allowed, Format format) {
 
 bool is_frame_name(const std::string& name) {
   constexpr std::string_view kHead = "frame_";
-  constexpr std::string_view kTail = ".svg";
-  if (name.size() <= kHead.size() + kTail.size() || name.rfind(kHead, 0) != 0) return false;
-  if (name.compare(name.size() - kTail.size(), kTail.size(), kTail) != 0) return false;
-  return std::all_of(name.begin() + kHead.size(), name.end() - kTail.size(),
+  constexpr std::size_t kTail = 4;
+  if (name.size() <= kHead.size() + kTail || name.rfind(kHead, 0) != 0) return false;
+  const std::string tail = name.substr(name.size() - kTail);
+  if (tail != ".svg" && tail != ".png") return false;
+  return std::all_of(name.begin() + kHead.size(), name.end() - kTail,
                      [](unsigned char c) { return std::isdigit(c) != 0; });
 }
 
@@ -119,31 +130,29 @@ class TemporaryDirectory {
 }  // namespace
 
 Format output_format(const std::string& path, const std::string& to, const std::vector<Format>& allowed) {
+  std::error_code error;
+  const bool directory = allows(allowed, Format::directory) && path != "-" &&
+                         (path.back() == '/' || fs::is_directory(path, error));
   if (!to.empty()) {
     for (const Ending& ending : kEndings) {
-      if (to == ending.text.substr(1) && allows(allowed, ending.format)) return ending.format;
+      if (to != ending.word || !allows(allowed, ending.format)) continue;
+      const bool frames = ending.format == Format::svg || ending.format == Format::png;
+      return directory && frames ? Format::directory : ending.format;
     }
-    throw UsageError(fmt::format("--to takes one of {}, not '{}'", words(allowed, ""), to));
+    throw UsageError(fmt::format("--to takes one of {}, not '{}'", list(allowed, &Ending::word), to));
   }
   if (path == "-") return allows(allowed, Format::json) ? Format::json : allowed.back();
-  std::error_code error;
-  if (allows(allowed, Format::directory) && (path.back() == '/' || fs::is_directory(path, error))) {
-    return Format::directory;
-  }
+  if (directory) return Format::directory;
   std::string lower = path;
   std::transform(lower.begin(), lower.end(), lower.begin(), [](unsigned char c) { return std::tolower(c); });
-  const auto ends_with = [&](std::string_view ending) {
-    return lower.size() > ending.size() &&
-           lower.compare(lower.size() - ending.size(), ending.size(), ending) == 0;
-  };
-  for (const std::string_view later : kLater) {
-    if (ends_with(later)) throw UsageError(fmt::format("{}: {} is not available yet", path, later));
-  }
   for (const Ending& ending : kEndings) {
-    if (ends_with(ending.text) && allows(allowed, ending.format)) return ending.format;
+    const bool fits = lower.size() > ending.text.size() &&
+                      lower.compare(lower.size() - ending.text.size(), ending.text.size(), ending.text) == 0;
+    if (fits && allows(allowed, ending.format)) return ending.format;
+    if (fits) break;
   }
   throw UsageError(fmt::format("{}: the ending does not tell a format; there is {}{}, or use --to", path,
-                               words(allowed, "."),
+                               list(allowed, &Ending::text),
                                allows(allowed, Format::directory) ? ", DIRECTORY/" : ""));
 }
 
@@ -160,7 +169,7 @@ void write_output(const std::string& path, std::string_view content) {
   throw_if_interrupted();
 }
 
-void write_frame_directory(const std::string& path, std::size_t count,
+void write_frame_directory(const std::string& path, std::size_t count, std::string_view ending,
                            const std::function<std::string(std::size_t)>& content) {
   std::error_code error;
   fs::path target =
@@ -174,7 +183,7 @@ void write_frame_directory(const std::string& path, std::size_t count,
     TemporaryDirectory temporary(target);
     for (std::size_t i = 0; i < count; ++i) {
       throw_if_interrupted();
-      tandem::write_file((temporary.path() / fmt::format("frame_{:0{}}.svg", i, digits)).string(),
+      tandem::write_file((temporary.path() / fmt::format("frame_{:0{}}{}", i, digits, ending)).string(),
                          content(i));
     }
     temporary.take_name(target);

@@ -7,11 +7,26 @@
 
 namespace cli {
 
-enum class Format { json, json_lines, svg, html, itd, index, npy, csv, directory };
+enum class Format {
+  json,
+  json_lines,
+  svg,
+  html,
+  css,
+  lottie,
+  animated_vector,
+  gif,
+  png,
+  itd,
+  index,
+  npy,
+  csv,
+  directory
+};
 
 /// The format of an output: `to` when given, else by the ending of `path`; "-" is JSON, or what
-/// else the command writes.
-/// allowed: what the command can write.
+/// else the command writes. A directory stays one when `to` says svg or png: that is what its frames are
+/// then. allowed: what the command can write.
 /// @throws UsageError an ending that the command does not know
 [[nodiscard]] Format output_format(const std::string& path, const std::string& to,
                                    const std::vector<Format>& allowed);
@@ -19,10 +34,11 @@ enum class Format { json, json_lines, svg, html, itd, index, npy, csv, directory
 /// tandem::write_file, and Ctrl-C waits until the file is whole. @throws tandem::IoError; Interrupted
 void write_output(const std::string& path, std::string_view content);
 
-/// Writes the files name(0..count-1) with content(i) as a whole directory or not at all. An existing
-/// directory is replaced if it is empty or holds nothing but frames of an earlier run.
+/// Writes the files frame_000 + ending, ... with content(0..count-1) as a whole directory or not at all. An
+/// existing directory is replaced if it is empty or holds nothing but frames of an earlier run.
+/// ending: ".svg" or ".png".
 /// @throws tandem::IoError; Interrupted; and what `content` throws
-void write_frame_directory(const std::string& path, std::size_t count,
+void write_frame_directory(const std::string& path, std::size_t count, std::string_view ending,
                            const std::function<std::string(std::size_t)>& content);
 
 }  // namespace cli

@@ -39,6 +39,12 @@ double solve(double p, double q, double value) {
 
 }  // namespace
 
+double ease(const Easing& easing, double x) {
+  if (easing.linear()) return x;
+  const double t = solve(easing.x1, easing.x2, x);
+  return blossom(easing.y1, easing.y2, t, t, t);
+}
+
 EasingPart part_of(const Easing& easing, double from, double to) {
   if (easing.linear()) return {from, {}};
   const double t0 = solve(easing.y1, easing.y2, from);

@@ -15,6 +15,9 @@ struct Easing {
   [[nodiscard]] bool linear() const noexcept { return x1 == y1 && x2 == y2; }
 };
 
+/// The share of the way at the share of time x in [0,1].
+[[nodiscard]] double ease(const Easing& easing, double x);
+
 /// Part of an easing as one of its own: it starts at the time `start`.
 struct EasingPart {
   double start = 0.0;

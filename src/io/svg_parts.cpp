@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "io/ink.h"
 #include "io/number.h"
 #include "tandem/io/path_data.h"
 
@@ -26,6 +27,14 @@ View view_of(const Box& box) {
   const double size = std::max(width, height);
   const double margin = size > 0.0 ? kMargin * size : 0.5;
   return {box.lo[0] - margin, box.lo[1] - margin, width + 2.0 * margin, height + 2.0 * margin};
+}
+
+View view_at(const PathMorph& morph, double s, std::span<const CubicPath> paths) {
+  Box box = morph.box();
+  if (s < 0.0 || s > 1.0) {
+    for (const CubicPath& path : paths) box.include(bounding_box(to_curve(path)));
+  }
+  return view_of(box);
 }
 
 int decimals_for(double size) {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tandem/curve/bounding_box.h"
+#include "tandem/morph/path_morph.h"
 #include "tandem/shape/cubic_path.h"
 #include "tandem/shape/shape.h"
 
@@ -25,6 +26,9 @@ struct View {
 /// The box with a small margin all round, never empty.
 [[nodiscard]] View view_of(const Box& box);
 
+/// What a still picture of the morph at s shows: the same for all s in [0,1], beyond grown to hold `paths`.
+[[nodiscard]] View view_at(const PathMorph& morph, double s, std::span<const CubicPath> paths);
+
 /// Decimals that keep rounding below 1e-5 of `size`; -1 (shortest exact text) where that is no sensible
 /// number.
 [[nodiscard]] int decimals_for(double size);
@@ -43,9 +47,6 @@ struct PathDataParts {
 /// lines: as format_path_data().
 [[nodiscard]] PathDataParts path_data_parts(std::span<const CubicPath> paths,
                                             std::span<const std::vector<bool>> lines, int precision);
-
-/// What pictures are drawn in.
-inline constexpr const char* kInk = "#1f2733";
 
 /// Width of lines, in the units of the view.
 [[nodiscard]] double stroke_width(const View& view);

@@ -46,11 +46,7 @@ std::string format_svg(const Shape& shape) {
 
 std::string format_frame_svg(const PathMorph& morph, double s, int precision) {
   const std::vector<CubicPath> paths = morph.at(s);
-  Box box = morph.box();
-  if (s < 0.0 || s > 1.0) {
-    for (const CubicPath& path : paths) box.include(bounding_box(to_curve(path)));
-  }
-  const View view = view_of(box);
+  const View view = view_at(morph, s, paths);
   std::vector<std::vector<bool>> lines;
   for (const PathContour& contour : morph.contours()) lines.push_back(contour.lines);
   return document(view, path_data_parts(paths, lines, decimals_for(view, precision)), morph.fill_rule());

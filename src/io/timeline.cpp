@@ -39,6 +39,13 @@ std::vector<TimelineStep> loop_timeline(const KeyFrames& frames, const Animation
   return steps;
 }
 
+double played_at(const KeyFrames& frames, const std::vector<TimelineStep>& steps, double x) {
+  std::size_t i = steps.size() - 2;
+  while (i > 0 && steps[i].time > x) --i;
+  const double share = ease(steps[i].easing, (x - steps[i].time) / (steps[i + 1].time - steps[i].time));
+  return (1.0 - share) * frames.times[steps[i].frame] + share * frames.times[steps[i + 1].frame];
+}
+
 double loop_seconds(const AnimationOptions& options) {
   return options.alternate ? 2.0 * options.duration : options.duration;
 }

@@ -25,6 +25,9 @@ struct TimelineStep {
 [[nodiscard]] std::vector<TimelineStep> loop_timeline(const KeyFrames& frames,
                                                       const AnimationOptions& options);
 
+/// s at the share of time x in [0,1].
+[[nodiscard]] double played_at(const KeyFrames& frames, const std::vector<TimelineStep>& steps, double x);
+
 /// Seconds that loop_timeline() takes.
 [[nodiscard]] double loop_seconds(const AnimationOptions& options);
 

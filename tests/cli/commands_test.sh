@@ -94,6 +94,29 @@ that "two reports" test "$(grep -o '"max_deviation"' <<<"$out" | wc -l)" == 2
 expect 0 morph "${quick[@]}" "$square" "$triangle" -o ANIM.SVG
 that "endings in capitals" grep -q '<animate' ANIM.SVG
 
+# The other formats: by their ending, or by --to.
+for file in m.css m.lottie.json m.avd.xml m.gif; do
+  expect 0 morph "${quick[@]}" "$square" "$triangle" -o "$file" --duration 0.5
+done
+that "a style sheet" grep -q '@keyframes morph {' m.css
+that "a Lottie file" grep -q '"op":60,' m.lottie.json
+that "a vector drawable" grep -q '<animated-vector' m.avd.xml
+that "a GIF" test "$(head -c 6 m.gif)" == GIF89a
+expect 0 morph "${quick[@]}" "$square" "$triangle" -o - --to lottie --duration 0.5
+that "--to lottie writes the same" cmp .out m.lottie.json
+expect 0 morph "${quick[@]}" "$square" "$triangle" -o - --to avd --play once
+that "once" test "$(grep -c repeatCount .out)" == 0
+expect 0 morph "${quick[@]}" "$square" "$triangle" -o - --to css --css clip-path --name logo --size 100 --precision 1
+out_has '.logo [{] width: 100px; height: 100px;.*clip-path: path[(]"M'
+that "one decimal" bash -c '! grep -qE "path.*[0-9][.][0-9]{2}" .out'
+expect 0 morph "${quick[@]}" "$square" "$triangle" -o m.png --at 0.5 --size 64
+that "a PNG" test "$(head -c 4 m.png | tail -c 3)" == PNG
+expect 0 morph "${quick[@]}" "$square" "$triangle" -o - --at 0.123456789 --precision 3
+that "three decimals" bash -c '! grep -qE "\"d\".*[.][0-9]{4}" .out'
+expect 0 morph "${quick[@]}" "$square" "$triangle" -o f.JSON --at 0.5 --to json
+that "--to overrides the ending" grep -q '"frames"' f.JSON
+rm m.css m.lottie.json m.avd.xml m.gif m.png f.JSON
+
 # Curves of R^3 come as curves.
 cat >space.json <<'J'
 {"curves": [{"type": "bspline", "degree": 3, "points": [[0,0,0],[1,2,1],[3,2,0],[4,0,1]]},
@@ -101,13 +124,20 @@ cat >space.json <<'J'
 J
 expect 0 morph 'space.json#0' 'space.json#1' --at 0.5 -o -
 out_has '"curves": \[\{"type": ?"bspline"'
-expect 3 morph 'space.json#0' 'space.json#1' -o space.svg
+for file in space.svg space.css space.gif space.lottie.json space.avd.xml; do
+  expect 3 morph 'space.json#0' 'space.json#1' -o "$file"
+  err_has 'dimension 3'
+done
 
 # Frames in a directory: whole or not at all.
 expect 0 morph "${quick[@]}" "$square" "$triangle" -o frames/ --frames 4
 that "four frames" test "$(ls frames | tr '\n' ' ')" == 'frame_000.svg frame_001.svg frame_002.svg frame_003.svg '
 expect 0 morph "${quick[@]}" "$square" "$triangle" -o frames --frames 2
 that "fewer frames replace them" test "$(ls frames | tr '\n' ' ')" == 'frame_000.svg frame_001.svg '
+expect 0 morph "${quick[@]}" "$square" "$triangle" -o frames/ --to png --frames 2 --size 32
+that "PNG frames replace them" test "$(ls frames | tr '\n' ' ')" == 'frame_000.png frame_001.png '
+expect 0 morph "${quick[@]}" "$square" "$triangle" -o frames --to svg --frames 2
+that "and are replaced" test "$(ls frames | tr '\n' ' ')" == 'frame_000.svg frame_001.svg '
 touch frames/mine.txt
 expect 1 morph "$square" "$triangle" -o frames --frames 3
 err_has 'frames: holds other files than frames \(mine.txt\)'

@@ -71,15 +71,25 @@ wrong '-o.*needs a value' match "$square" "$triangle" -o ''
 wrong '--to takes one of json, svg' match "$square" "$triangle" -o - --to html
 
 wrong 'morph needs -o' morph "$square" "$triangle"
-wrong '\.gif is not available yet' morph "$square" "$triangle" -o out.gif
-wrong '\.css is not available yet' morph "$square" "$triangle" -o out.css
-wrong '\.lottie\.json is not available yet' morph "$square" "$triangle" -o out.lottie.json
 wrong 'hermite is not available yet' morph "$square" "$triangle" -o out.svg --blend hermite
 wrong '--blend takes one of' morph "$square" "$triangle" -o out.svg --blend linear
 wrong '--at takes a finite number' morph "$square" "$triangle" -o - --at 0,nan
 wrong '--at takes a list' morph "$square" "$triangle" -o - --at 0,,1
 wrong '--at' morph "$square" "$triangle" -o - --at ''
 wrong '--at' morph "$square" "$triangle" -o out.html --at 0.5
+for file in out.css out.lottie.json out.avd.xml out.gif; do
+  wrong "--at does not go with [.]${file#out.}" morph "$square" "$triangle" -o "$file" --at 0.5
+done
+wrong '.png holds one in-between' morph "$square" "$triangle" -o out.png
+wrong 'takes one number' morph "$square" "$triangle" -o out.png --at 0,1
+wrong '--css takes one of d, clip-path' morph "$square" "$triangle" -o out.css --css path
+wrong '--name takes' morph "$square" "$triangle" -o out.css --name 'a b'
+wrong '--play takes one of' morph "$square" "$triangle" -o out.css --play twice
+wrong '--size' morph "$square" "$triangle" -o out.gif --size 0
+wrong '--size' morph "$square" "$triangle" -o out.gif --size 9000
+wrong '--precision' morph "$square" "$triangle" -o out.svg --precision -1
+wrong '50 a second' morph "$square" "$triangle" -o out.gif --duration 1 --frames 52
+wrong '--to takes one of lottie, avd, json, svg, html, css, gif, png, not' morph "$square" "$triangle" -o - --to tiff
 wrong 'takes one number' morph "$square" "$triangle" -o out.svg --at 0,1
 wrong 'exclude each other' morph "$square" "$triangle" -o - --at 0 --frames 3
 wrong '--frames' morph "$square" "$triangle" -o - --frames 1

@@ -1,0 +1,188 @@
+#include "morph_output.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "easing.h"
+#include "frames.h"
+#include "tandem/io/animated_vector.h"
+#include "tandem/io/lottie.h"
+#include "tandem/io/picture.h"
+#include "tandem/io/svg.h"
+#include "tandem/morph/path_morph.h"
+#include "usage_error.h"
+#include "values.h"
+
+namespace cli {
+namespace {
+
+using tandem::PathMorph;
+
+constexpr int kDefaultFrames = 60;
+constexpr int kMostFrames = 100'000;
+constexpr int kLargestPicture = 8192;
+constexpr double kGifFramesPerSecond = 50.0;  // format_gif()
+constexpr int kMostDecimals = 15;
+constexpr double kLongestDuration = 86'400.0;  // a day, in seconds
+
+/// The last part of a path without its ending; path data has no name.
+std::string short_name(const std::string& input) {
+  if (input.empty() || input == "-") return "standard input";
+  if ((input.front() == 'M' || input.front() == 'm') && input.find_first_of(" ,") != std::string::npos)
+    return "path";
+  const std::string name = input.substr(input.find_last_of('/') + 1);
+  const std::size_t dot = name.find('.');
+  const std::string stem = dot == std::string::npos || dot == 0 ? name : name.substr(0, dot);
+  const std::size_t part = name.find('#');
+  return part == std::string::npos || part < dot ? stem : stem + " " + name.substr(part + 1);
+}
+
+std::string title(const std::vector<std::string>& inputs) {
+  std::string text;
+  for (const std::string& input : inputs) text += (text.empty() ? "" : " \u2192 ") + short_name(input);
+  return text;
+}
+
+/// --frames and --at: where in-betweens are taken.
+void plan_positions(const Command& command, MorphOutput& plan) {
+  if (!command.frames.empty()) plan.frames = parse_count("--frames", command.frames, 2, kMostFrames);
+  if (command.at.empty()) {
+    const int count = plan.frames == 0 ? kDefaultFrames : plan.frames;
+    for (int i = 0; i < count; ++i) plan.positions.push_back(static_cast<double>(i) / (count - 1));
+    if (plan.format == Format::png) {
+      throw UsageError(".png holds one in-between: --at S; for several there is DIRECTORY/ with --to png");
+    }
+    return;
+  }
+  if (!command.frames.empty()) throw UsageError("--frames and --at exclude each other");
+  for (const std::string& part : split_list("--at", command.at))
+    plan.positions.push_back(parse_number("--at", part));
+  const bool one = plan.format == Format::svg || plan.format == Format::png;
+  if (one && plan.positions.size() != 1) {
+    throw UsageError(fmt::format("--at with {} takes one number; for several there is .json or DIRECTORY/",
+                                 plan.format == Format::svg ? "an .svg" : "a .png"));
+  }
+  plan.still = plan.format == Format::svg;
+  constexpr std::array kAnimations = {std::pair{Format::html, ".html"}, std::pair{Format::css, ".css"},
+                                      std::pair{Format::lottie, ".lottie.json"},
+                                      std::pair{Format::animated_vector, ".avd.xml"},
+                                      std::pair{Format::gif, ".gif"}};
+  for (const auto& [format, ending] : kAnimations) {
+    if (plan.format == format) {
+      throw UsageError(fmt::format(
+          "--at does not go with {}, which holds the way from the first shape to the last", ending));
+    }
+  }
+}
+
+void plan_animation(const Command& command, tandem::AnimationOptions& animation) {
+  animation.duration = parse_number("--duration", command.duration, 1e-3, kLongestDuration);
+  animation.easing = parse_easing(command.easing);
+  enum class Play { alternate, loop, once };
+  const auto play = choose<Play>(
+      "--play", command.play, {{"alternate", Play::alternate}, {"loop", Play::loop}, {"once", Play::once}});
+  animation.alternate = play == Play::alternate;
+  animation.repeat = play != Play::once;
+  if (!command.precision.empty()) {
+    animation.precision = parse_count("--precision", command.precision, 0, kMostDecimals);
+  }
+}
+
+}  // namespace
+
+void add_morph_output_flags(Command& command) {
+  CLI::App& app = *command.app;
+  app.add_option("-o,--output", command.output,
+                 ".svg (animated), .html (player), .css, .lottie.json, .avd.xml (Android), .gif, .json "
+                 "(frames), DIR/, -")
+      ->type_name("OUT");
+  app.add_option("--to", command.to,
+                 "svg, html, css, lottie, avd, gif, png, json: whatever the ending of OUT")
+      ->type_name("FORMAT");
+  app.add_option("--frames", command.frames, "Number of frames in .json, DIR/ (60) and .gif (25 a second)")
+      ->type_name("N");
+  app.add_option("--at", command.at, "These in-betweens instead: 0 is A, 1 the last shape")
+      ->type_name("S,...");
+  app.add_option("--duration", command.duration, "Seconds from the first shape to the last (2)")
+      ->type_name("X");
+  app.add_option("--easing", command.easing, "linear, ease, ease-in, ease-out, ease-in-out, x1,y1,x2,y2")
+      ->type_name("NAME");
+  app.add_option("--play", command.play, "alternate (there and back), loop, once")->type_name("HOW");
+  app.add_option("--size", command.size, "Pixels of the longer side: .gif, .png, .lottie.json (512)")
+      ->type_name("N");
+  app.add_option("--precision", command.precision, "Decimals of coordinates (as the size needs)")
+      ->type_name("N");
+  app.add_option("--css", command.css, "What a .css animates: d, clip-path")->type_name("PROPERTY");
+  app.add_option("--name", command.name, "Class and @keyframes of a .css (morph)")->type_name("NAME");
+}
+
+MorphOutput plan_morph_output(const Command& command) {
+  if (command.output.empty()) {
+    throw UsageError(
+        "morph needs -o OUT: .svg, .html, .css, .lottie.json, .avd.xml, .gif, .json, DIRECTORY/, or - for "
+        "JSON "
+        "on standard output");
+  }
+  MorphOutput plan;
+  plan.format =
+      output_format(command.output, command.to,
+                    {Format::svg, Format::html, Format::css, Format::lottie, Format::animated_vector,
+                     Format::gif, Format::png, Format::json, Format::directory});
+  plan.png_frames = command.to == "png";
+  plan.size = parse_count("--size", command.size, 1, kLargestPicture);
+  plan.css.size = plan.size;
+  plan.css.name = command.name;
+  if (!tandem::is_css_name(plan.css.name)) {
+    throw UsageError(
+        fmt::format("--name takes a letter, then letters, digits, - and _, not '{}'", plan.css.name));
+  }
+  plan.css.property = choose<tandem::CssProperty>(
+      "--css", command.css, {{"d", tandem::CssProperty::d}, {"clip-path", tandem::CssProperty::clip_path}});
+  plan_animation(command, plan.animation);
+  plan_positions(command, plan);
+  if (plan.format == Format::gif && plan.frames - 1 > kGifFramesPerSecond * plan.animation.duration) {
+    throw UsageError(fmt::format("--frames {} in {} s: a .gif shows at most {} a second", plan.frames,
+                                 plan.animation.duration, kGifFramesPerSecond));
+  }
+  return plan;
+}
+
+void write_morph(const Command& command, const MorphOutput& plan, const tandem::Morph& morph, int dim,
+                 const std::string& reports) {
+  if (plan.format == Format::json && dim != 2) {
+    return write_output(command.output, format_curve_frames(morph, plan.positions, reports));
+  }
+  const PathMorph paths(morph);
+  const auto content = [&]() -> std::string {
+    switch (plan.format) {
+      case Format::svg:
+        return plan.still ? format_frame_svg(paths, plan.positions.front(), plan.animation.precision)
+                          : format_animated_svg(paths, plan.animation);
+      case Format::html:
+        return format_html_player(paths, title(command.inputs), plan.animation);
+      case Format::css:
+        return format_css(paths, plan.animation, plan.css);
+      case Format::lottie:
+        return format_lottie(paths, title(command.inputs), plan.animation, plan.size);
+      case Format::animated_vector:
+        return format_animated_vector(paths, plan.animation);
+      case Format::gif:
+        return format_gif(paths, plan.animation, plan.frames, plan.size);
+      case Format::png:
+        return format_png(paths, plan.positions.front(), plan.size);
+      default:
+        return format_path_frames(paths, plan.positions, reports, plan.animation.precision);
+    }
+  };
+  if (plan.format != Format::directory) return write_output(command.output, content());
+  write_frame_directory(command.output, plan.positions.size(), plan.png_frames ? ".png" : ".svg",
+                        [&](std::size_t i) {
+                          const double s = plan.positions[i];
+                          return plan.png_frames ? format_png(paths, s, plan.size)
+                                                 : format_frame_svg(paths, s, plan.animation.precision);
+                        });
+}
+
+}  // namespace cli

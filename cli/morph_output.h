@@ -1,0 +1,37 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "commands.h"
+#include "output.h"
+#include "tandem/io/animation.h"
+#include "tandem/io/css.h"
+#include "tandem/morph/morph.h"
+
+namespace cli {
+
+/// What `morph` shall write, checked before anything is read.
+struct MorphOutput {
+  Format format = Format::json;
+  std::vector<double> positions;  ///< --at, or --frames spread over [0, 1]
+  bool still = false;             ///< one in-between as a still .svg
+  bool png_frames = false;        ///< a directory of .png, not of .svg
+  int frames = 0;                 ///< --frames; 0: not given
+  int size = 0;                   ///< pixels of the longer side
+  tandem::AnimationOptions animation;
+  tandem::CssOptions css;
+};
+
+/// Options that decide what is written, and how.
+void add_morph_output_flags(Command& command);
+
+/// @throws UsageError options that do not go together, or values that cannot be
+[[nodiscard]] MorphOutput plan_morph_output(const Command& command);
+
+/// reports: members of the JSON object, `"report": {...}`. dim: of the shapes; other than planar ones go to
+/// .json only.
+void write_morph(const Command& command, const MorphOutput& plan, const tandem::Morph& morph, int dim,
+                 const std::string& reports);
+
+}  // namespace cli

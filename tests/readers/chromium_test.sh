@@ -1,0 +1,84 @@
+# What Chromium shows of SVG, CSS and HTML at fixed times, against our own pictures.
+source "$(dirname "${BASH_SOURCE[0]}")/../cli/lib.sh"
+source "$(dirname "${BASH_SOURCE[0]}")/pictures.sh"
+
+chromium=$(command -v chromium || command -v chromium-browser || command -v google-chrome) || skip "no Chromium"
+need_imagemagick
+
+root=()
+((EUID != 0)) || root=(--no-sandbox)
+browse() { # ARG...: Chromium without a window, and without a word
+  "$chromium" --headless "${root[@]}" --disable-gpu --hide-scrollbars --force-color-profile=srgb \
+    --force-device-scale-factor=1 --user-data-dir="$work/.chromium" "$@" 2>/dev/null
+}
+
+# shot PAGE NAME...: a picture NAME.png of every row of PAGE.
+shot() {
+  local page=$1 row=0 name
+  shift
+  # The window has a frame even where there is none to be seen: more height than the rows need.
+  browse --window-size="$((width * ${#times[@]})),$((height * $# + 200))" --screenshot="$page.png" "file://$work/$page" >/dev/null
+  for name; do
+    cp "$page.png" "$name.png"
+    mogrify -crop "$((width * ${#times[@]}))x$height+0+$((row * height))" +repage "$name.png"
+    row=$((row + 1))
+  done
+}
+
+page_head() { # of a page of rows of cells
+  echo '<!DOCTYPE html><meta charset="utf-8"><style>body{margin:0;font-size:0}div.row{white-space:nowrap}'
+  echo "svg,.cell{display:inline-block;width:${width}px;height:${height}px;overflow:hidden}"
+  echo '.cell *{animation-play-state:paused !important;animation-delay:var(--at) !important}</style>'
+}
+
+# Cells of a style sheet, each with its delay.
+css_row() { # SHEET MARKUP
+  echo "<link rel=\"stylesheet\" href=\"$1\"><div class=\"row\">"
+  for time in "${times[@]}"; do echo -n "<span class=\"cell\" style=\"--at:-${time}s\">$2</span>"; done
+  echo '</div>'
+}
+
+smil_row() { # FILE.svg
+  echo '<div class="row">'
+  for time in "${times[@]}"; do sed "s|<svg |<svg data-time=\"$time\" |" "$1"; done | tr -d '\n'
+  echo '</div><script>for (const svg of document.querySelectorAll("svg[data-time]")) { svg.pauseAnimations(); svg.setCurrentTime(+svg.dataset.time); }</script>'
+}
+
+times=(0 0.3 0.8 1.3 1.999) # seconds of 2
+check() { # NAME EASING SHAPE...
+  local name=$1 easing=$2 positions=()
+  shift 2
+  for time in "${times[@]}"; do positions+=("$(eased "$easing" "$time" $(($# - 1)))"); done
+  our_sheet "$name" "${positions[@]}" -- "$@"
+  expect 0 morph "$@" -o "$name.svg" --easing "$easing" --quiet
+  expect 0 morph "$@" -o "$name.css" --easing "$easing" --quiet
+  local rows=("$name.smil" "$name.css") svg row
+  svg=$(sed -n '1s|^/\* \(.*\) \*/$|\1|p' "$name.css")
+  {
+    page_head
+    smil_row "$name.svg"
+    css_row "$name.css" "$svg"
+  } >"$name.html"
+  if [[ $name != open ]]; then
+    expect 0 morph "$@" -o "$name.clip.css" --css clip-path --name clip --size "$size" --easing "$easing" --quiet
+    css_row "$name.clip.css" '<div class="clip"></div>' >>"$name.html"
+    rows+=("$name.clip")
+  fi
+  shot "$name.html" "${rows[@]}"
+  for row in "${rows[@]}"; do same_picture "$row.png" "$name.ours.png"; done
+}
+
+check icon linear "$DATA/icons/heart.svg" "$DATA/icons/star.svg"
+other_picture icon.smil.png icon.ours.png
+check holes 0.42,0,0.58,1 "$DATA/icons/cat.svg" "$DATA/icons/bird.svg"
+check turn 0.25,0.1,0.25,1 'M0 0H9V2H3V5H0Z' 'M0 0V9H-2V3H-5V0Z' 'M0 0H9V9H0Z'
+check open linear 'M0 0C1 5 5 5 9 0' 'M0 0C5 -5 5 5 9 9' 
+
+# The player rests where its address says, with the points of our own in-between.
+expect 0 morph "$DATA/icons/heart.svg" "$DATA/icons/star.svg" -o player.html --quiet
+expect 0 morph "$DATA/icons/heart.svg" "$DATA/icons/star.svg" --at 0.37 -o - --quiet
+ours=$(grep -o '"d": "[^"]*"' <<<"$out" | head -1)
+theirs=$(browse --dump-dom "file://$work/player.html#s=0.37" | grep -o '<path class="fill" id="fill"[^>]* d="[^"]*"' | sed 's/.* d=/d=/')
+that "the player's in-between" same_numbers "$ours" "$theirs"
+that "another in-between is another" other_numbers "$ours" "${theirs/M1/M2}"
+finish

@@ -1,0 +1,69 @@
+# Our own pictures, and how others are compared with them. Sourced after tests/cli/lib.sh.
+
+size=160         # pixels of the longer side of a cell
+width= height=   # of a cell, known after our_sheet
+readonly alike=0.004 # mean difference, a share of white, of pictures that show the same: rasterisers disagree on edges
+
+skip() {
+  echo "SKIPPED: $1" >&2
+  exit 77
+}
+
+need_imagemagick() {
+  local tool
+  for tool in montage compare identify; do
+    command -v "$tool" >/dev/null || skip "no ImageMagick ($tool)"
+  done
+}
+
+# eased X1,Y1,X2,Y2 TIME STEPS: s at that time of 2 seconds, over so many steps from key to key.
+eased() {
+  awk -v easing="$1" -v time="$2" -v steps="$3" '
+    function bezier(p, q, t) { return 3 * p * t * (1 - t) ^ 2 + 3 * q * t * t * (1 - t) + t ^ 3 }
+    BEGIN {
+      if (split(easing, c, ",") != 4) split("0,0,1,1", c, ",")
+      x = time / 2 * steps; key = int(x); if (key == steps) key--
+      lo = 0; hi = 1
+      for (i = 0; i < 60; ++i) { middle = (lo + hi) / 2; if (bezier(c[1], c[3], middle) < x - key) lo = middle; else hi = middle }
+      printf "%.9f", (key + bezier(c[2], c[4], lo)) / steps
+    }'
+}
+
+# our_sheet NAME S... -- SHAPE...: NAME.ours.png has our pictures of the in-betweens side by side.
+our_sheet() {
+  local name=$1 positions=()
+  shift
+  while [[ $1 != -- ]]; do positions+=("$1") && shift; done
+  shift
+  local at
+  at=$(IFS=, && echo "${positions[*]}")
+  expect 0 morph "$@" -o "$name.frames/" --to png --at "$at" --size "$size" --quiet
+  read -r width height < <(identify -format '%w %h\n' "$name.frames/frame_000.png")
+  montage "$name.frames/"*.png -background white -geometry +0+0 -tile "${#positions[@]}x1" -alpha remove "$name.ours.png"
+}
+
+difference() { compare -metric MAE "$1" "$2" null: 2>&1 | sed -n 's/.*(\([0-9.e-]*\)).*/\1/p'; }
+less() { awk -v a="$1" -v b="$2" 'BEGIN { exit !(a != "" && a < b) }'; }
+
+same_picture() { # THEIRS OURS
+  local found
+  found=$(difference "$1" "$2")
+  echo "$1: mean difference $found"
+  that "$1 looks like $2: mean difference '$found'" less "$found" "$alike"
+}
+
+# The comparison can fail: turned round, the sheet is another one.
+other_picture() {
+  local found
+  mogrify -flop "$1"
+  found=$(difference "$1" "$2")
+  that "pictures of other shapes differ: '$found'" less "$alike" "$found"
+}
+
+# same_numbers TEXT TEXT: the same numbers but for rounding.
+same_numbers() {
+  paste <(grep -oE -- '-?[0-9.]+(e-?[0-9]+)?' <<<"$1") <(grep -oE -- '-?[0-9.]+(e-?[0-9]+)?' <<<"$2") |
+    awk '{ n++; if (NF != 2 || ($1 - $2) ^ 2 > 1e-4) bad++ } END { exit !(n > 6 && !bad) }'
+}
+
+other_numbers() { ! same_numbers "$@"; }
