@@ -1,8 +1,8 @@
 #include "shape/edge_contact.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <optional>
 
 #include "shape/plane.h"
 
@@ -61,58 +61,60 @@ bool lies_between(double angle, double from, double to) {
 }  // namespace
 
 EdgeContact find_contact(const FlatVertex* a, const FlatVertex* b, double epsilon) {
+  using Kind = EdgeContact::Kind;
   const Vec2 da = between(a[0], a[1]);
   const Vec2 db = between(b[0], b[1]);
-  const double bound_a = epsilon * std::sqrt(dot(da, da));
+  const double bound_a = epsilon * length(da);
   const double c1 = cross(da, between(a[0], b[0]));
   const double c2 = cross(da, between(a[0], b[1]));
   const int s1 = side(c1, bound_a);
   const int s2 = side(c2, bound_a);
   if (s1 != 0 && s1 == s2) return {};
-  const double bound_b = epsilon * std::sqrt(dot(db, db));
+  const double bound_b = epsilon * length(db);
   const double c3 = cross(db, between(b[0], a[0]));
   const double c4 = cross(db, between(b[0], a[1]));
   const int s3 = side(c3, bound_b);
   const int s4 = side(c4, bound_b);
   if (s3 != 0 && s3 == s4) return {};
-  if (s1 * s2 == 0 || s3 * s4 == 0) return {EdgeContact::Kind::undecided};
-  return {EdgeContact::Kind::crossing, c3 / (c3 - c4), c1 / (c1 - c2)};
+  const bool clearly = s1 * s2 != 0 && s3 * s4 != 0;
+  if (clearly || (c1 * c2 < 0.0 && c3 * c4 < 0.0)) {
+    return {clearly ? Kind::crossing : Kind::undecided, c3 / (c3 - c4), c1 / (c1 - c2)};
+  }
+  const auto foot_within = [&](const FlatVertex& vertex, const FlatVertex* edge, Vec2 d) {
+    const double share = std::clamp(dot(d, between(edge[0], vertex)) / dot(d, d), 0.0, 1.0);
+    const Vec2 foot = plus(position(edge[0]), times(share, d));
+    return distance(foot, position(vertex)) <= epsilon ? std::optional(share) : std::nullopt;
+  };
+  if (const auto share = foot_within(a[0], b, db)) return {Kind::undecided, 0.0, *share};
+  if (const auto share = foot_within(b[0], a, da)) return {Kind::undecided, *share, 0.0};
+  return {};
 }
 
-std::optional<double> passes_through(const Flattening& flat, const FlatPath& path, std::size_t vertex,
-                                     const FlatPath& other, std::size_t edge, double epsilon) {
-  const FlatVertex& v = flat.vertices()[vertex];
-  const FlatVertex& e0 = flat.vertices()[edge];
-  const Vec2 center = position(v);
-  const Vec2 d = between(e0, flat.vertices()[edge + 1]);
-  const double share = std::clamp(dot(d, between(e0, v)) / dot(d, d), 0.0, 1.0);
-  const Vec2 foot = plus(position(e0), times(share, d));
-  if (distance(center, foot) > epsilon) return std::nullopt;
-  if (!path.closed && (vertex == path.first || vertex == path.last)) return std::nullopt;
-  const std::size_t before = vertex == path.first ? path.last - 1 : vertex - 1;
-  const std::size_t after = vertex == path.last ? path.first + 1 : vertex + 1;
+bool passes_through(const Flattening& flat, const FlatPlace& a, const FlatPlace& b, double epsilon) {
+  const auto point = [&](const FlatPlace& place) {
+    const FlatVertex* e = &flat.vertices()[place.edge];
+    return plus(position(e[0]), times(place.share, between(e[0], e[1])));
+  };
+  const Vec2 center = point(a);
   for (const double r : {8.0 * epsilon, 32.0 * epsilon, 128.0 * epsilon}) {
-    const std::array<std::optional<Vec2>, 4> ends{follow(flat, path, center, before, false, center, r),
-                                                  follow(flat, path, center, after, true, center, r),
-                                                  follow(flat, other, foot, edge, false, center, r),
-                                                  follow(flat, other, foot, edge + 1, true, center, r)};
-    if (!std::all_of(ends.begin(), ends.end(), [](const auto& end) { return end.has_value(); })) break;
-    std::array<double, 4> angles{};
-    bool apart = true;
-    for (std::size_t i = 0; i < 4; ++i) {
-      angles[i] = pseudo_angle(minus(*ends[i], center));
-      if (i >= 2) {
-        apart = apart && distance(*ends[i], *ends[0]) > 2.0 * epsilon &&
-                distance(*ends[i], *ends[1]) > 2.0 * epsilon;
-      }
-    }
-    if (!apart) continue;
-    if (lies_between(angles[2], angles[0], angles[1]) == lies_between(angles[3], angles[0], angles[1])) {
-      return std::nullopt;
-    }
-    return share;
+    const auto end = [&](const FlatPlace& place, bool forward) {
+      return follow(flat, place.path, point(place), forward ? place.edge + 1 : place.edge, forward, center,
+                    r);
+    };
+    const auto a0 = end(a, false);
+    const auto a1 = end(a, true);
+    const auto b0 = end(b, false);
+    const auto b1 = end(b, true);
+    if (!a0 || !a1 || !b0 || !b1) return false;
+    const double gap =
+        std::min({distance(*a0, *b0), distance(*a0, *b1), distance(*a1, *b0), distance(*a1, *b1)});
+    if (gap <= 2.0 * epsilon) continue;
+    const double from = pseudo_angle(minus(*a0, center));
+    const double to = pseudo_angle(minus(*a1, center));
+    return lies_between(pseudo_angle(minus(*b0, center)), from, to) !=
+           lies_between(pseudo_angle(minus(*b1, center)), from, to);
   }
-  return std::nullopt;
+  return false;
 }
 
 bool turns_back(const Flattening& flat, const FlatPath& path, std::size_t vertex, double epsilon) {

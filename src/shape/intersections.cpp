@@ -115,15 +115,10 @@ struct CrossingFinder::Workspace {
     const EdgeContact contact = find_contact(v + i, v + j, options.epsilon);
     if (contact.kind == EdgeContact::Kind::crossing) {
       found.push_back(crossing(path_a, path_b, i, contact.share_a, j, contact.share_b));
-    } else if (contact.kind == EdgeContact::Kind::undecided) {
-      // Each vertex is tried as the first one of its edge.
-      const FlatPath& a = flat.paths()[path_a];
-      const FlatPath& b = flat.paths()[path_b];
-      if (const auto share = passes_through(flat, a, i, b, j, options.epsilon)) {
-        at_vertices.push_back(crossing(path_a, path_b, i, 0.0, j, *share));
-      } else if (const auto other = passes_through(flat, b, j, a, i, options.epsilon)) {
-        at_vertices.push_back(crossing(path_a, path_b, i, *other, j, 0.0));
-      }
+    } else if (contact.kind == EdgeContact::Kind::undecided &&
+               passes_through(flat, {flat.paths()[path_a], i, contact.share_a},
+                              {flat.paths()[path_b], j, contact.share_b}, options.epsilon)) {
+      at_vertices.push_back(crossing(path_a, path_b, i, contact.share_a, j, contact.share_b));
     }
   }
 

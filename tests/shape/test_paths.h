@@ -81,8 +81,8 @@ inline Vec2 at(const CubicPath& path, double u) {
   return {value(0), value(1)};
 }
 
-/// Whether the path runs at less than half a degree to itself at the two parameters.
-inline bool shallow(const CubicPath& path, double u, double v) {
+/// Whether the path runs at less than `angle` (radians) to itself at the two parameters.
+inline bool shallow(const CubicPath& path, double u, double v, double angle) {
   const auto direction = [&](double t) {
     const Vec2 p = at(path, t);
     const Vec2 q = at(path, std::min(t + 1e-4, static_cast<double>(path.segment_count())));
@@ -90,7 +90,7 @@ inline bool shallow(const CubicPath& path, double u, double v) {
   };
   const Vec2 a = direction(u);
   const Vec2 b = direction(v);
-  return std::fabs(a.x * b.y - a.y * b.x) <= 0.01 * std::hypot(a.x, a.y) * std::hypot(b.x, b.y);
+  return std::fabs(a.x * b.y - a.y * b.x) <= angle * std::hypot(a.x, a.y) * std::hypot(b.x, b.y);
 }
 
 /// A closed path of 1 to 5 cubics with control points anywhere within 10 of the origin.
