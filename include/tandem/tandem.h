@@ -18,6 +18,7 @@
 #include "tandem/morph/morph.h"
 #include "tandem/morph/moving_frame.h"
 #include "tandem/morph/path_morph.h"
+#include "tandem/morph/quality.h"
 #include "tandem/morph/segment_blend.h"
 #include "tandem/progress.h"
 #include "tandem/rank/all_pairs.h"

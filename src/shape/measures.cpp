@@ -10,17 +10,6 @@
 
 namespace tandem {
 inline namespace v0 {
-namespace {
-
-// Twice what the cubic sweeps over as seen from the origin, times 10: the integral of x dy - y dx of its
-// Bernstein form.
-double swept(Vec2 p0, Vec2 p1, Vec2 p2, Vec2 p3) {
-  return 6.0 * cross(p0, p1) + 3.0 * cross(p0, p2) + cross(p0, p3) + 3.0 * cross(p1, p2) +
-         3.0 * cross(p1, p3) + 6.0 * cross(p2, p3);
-}
-
-}  // namespace
-
 double signed_area(const CubicPath& path) {
   const PathView view = view_paths({&path, 1}).front();
   const Vec2 origin{view.points[0], view.points[1]};
@@ -37,9 +26,9 @@ double signed_area(const CubicPath& path) {
   // About the first point, so that the line that closes an open path sweeps over nothing.
   double sum = 0.0;
   for (std::size_t i = 0; i < view.segment_count(); ++i) {
-    sum += swept(point(3 * i), point(3 * i + 1), point(3 * i + 2), point(3 * i + 3));
+    sum += swept_area(point(3 * i), point(3 * i + 1), point(3 * i + 2), point(3 * i + 3));
   }
-  return sum / 20.0 * 4.0 * size * size;
+  return 4.0 * sum * size * size;
 }
 
 std::vector<double> tangent_breaks(const CubicPath& path) {

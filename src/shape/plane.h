@@ -35,5 +35,12 @@ inline namespace v0 {
   return length(minus(a, b));
 }
 
+/// What a cubic sweeps over as seen from the origin, counter-clockwise positive (Green's theorem).
+[[nodiscard]] inline double swept_area(Vec2 p0, Vec2 p1, Vec2 p2, Vec2 p3) {
+  return (6.0 * cross(p0, p1) + 3.0 * cross(p0, p2) + cross(p0, p3) + 3.0 * cross(p1, p2) +
+          3.0 * cross(p1, p3) + 6.0 * cross(p2, p3)) /
+         20.0;
+}
+
 }  // namespace v0
 }  // namespace tandem
