@@ -95,14 +95,12 @@ void SegmentArcs::add_runs(const SegmentVectors& one, const Singles& single, std
     if (!(cost <= most)) continue;
     const auto k = static_cast<std::int32_t>(count);
     arcs_.push_back(one_is_row ? SegmentArc{1, k, cost} : SegmentArc{k, 1, cost});
-    if (one_is_row) longest_cols_ = std::max(longest_cols_, static_cast<int>(k));
   }
 }
 
 void SegmentArcs::list(std::size_t longest, double most) {
   arcs_.clear();
   starts_.assign(1, 0);
-  longest_cols_ = 0;
   const std::size_t longest_rows = std::min(longest, rows_.size());
   const std::size_t longest_cols = std::min(longest, cols_.size());
   const SegmentRuns row_runs(rows_, cost_ == SegmentCost::paper ? 0 : longest_rows);

@@ -31,8 +31,20 @@ class SegmentArcs {
   [[nodiscard]] int cols() const { return static_cast<int>(cols_.size()); }
   [[nodiscard]] bool rows_cyclic() const { return rows_.closed; }
   [[nodiscard]] bool cols_cyclic() const { return cols_.closed; }
-  /// The most columns that an arc of the list leads over.
-  [[nodiscard]] int longest_cols() const { return longest_cols_; }
+  /// Drops the arcs of the list for which keep(i, j, arc) is false.
+  template <typename Keep>
+  void filter(const Keep& keep) {
+    std::size_t kept = 0;
+    std::size_t next = 0;
+    for (std::size_t node = 0; node + 1 < starts_.size(); ++node) {
+      for (; next < starts_[node + 1]; ++next) {
+        if (!keep(node / cols_.size(), node % cols_.size(), arcs_[next])) continue;
+        arcs_[kept++] = arcs_[next];
+      }
+      starts_[node + 1] = kept;
+    }
+    arcs_.resize(kept);
+  }
   /// From the joint before row i and column j; both are taken modulo the sizes where those are cyclic.
   [[nodiscard]] std::span<const SegmentArc> from(std::size_t i, std::size_t j) const {
     const std::size_t k = i * cols_.size() + j;
@@ -61,7 +73,6 @@ class SegmentArcs {
   Singles col_singles_;
   std::vector<std::size_t> starts_;
   std::vector<SegmentArc> arcs_;
-  int longest_cols_ = 0;
 };
 
 }  // namespace detail

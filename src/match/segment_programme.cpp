@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <limits>
 #include <queue>
+#include <span>
 #include <utility>
 
 namespace tandem {
@@ -17,10 +18,114 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Paths within this share of the best one are as good: rounding tells them apart.
 constexpr double kTie = 1e-13;
 
+/// The columns before column 0 in which a closed path may start, to jump over it.
+int columns_before(const SegmentArcs& arcs) {
+  int most = 0;
+  if (!arcs.cols_cyclic()) return most;
+  for (int i = 0; i < arcs.rows(); ++i) {
+    for (int p = most + 1; p < arcs.cols(); ++p) {
+      const auto from = arcs.from(static_cast<std::size_t>(i), static_cast<std::size_t>(arcs.cols() - p));
+      const auto jumps = [p](const SegmentArc& arc) { return arc.cols > p; };
+      if (std::any_of(from.begin(), from.end(), jumps)) most = p;
+    }
+  }
+  return most;
+}
+
+/// The nodes by row and column; columns run from -left to the last one, rows wrap where they are cyclic.
+class Grid {
+ public:
+  explicit Grid(const SegmentArcs& arcs)
+      : arcs_(arcs),
+        left_(columns_before(arcs)),
+        width_(static_cast<std::size_t>(left_ + arcs.cols() + 1)),
+        rows_(arcs.rows() + (arcs.rows_cyclic() ? 0 : 1)) {}
+
+  [[nodiscard]] int left() const { return left_; }
+  [[nodiscard]] std::size_t width() const { return width_; }
+  [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(rows_) * width_; }
+  [[nodiscard]] std::size_t index(const Node& node) const {
+    const int row = arcs_.rows_cyclic() ? node.i % arcs_.rows() : node.i;
+    return static_cast<std::size_t>(row) * width_ + static_cast<std::size_t>(node.j + left_);
+  }
+  [[nodiscard]] std::span<const SegmentArc> arcs_from(const Node& node) const {
+    return arcs_.from(static_cast<std::size_t>(node.i % arcs_.rows()),
+                      static_cast<std::size_t>(node.j < 0 ? node.j + arcs_.cols() : node.j));
+  }
+  /// Whether a path may go from one node to the other: not past the end, and from before column 0 only over
+  /// it.
+  [[nodiscard]] bool allows(const Node& from, const Node& to) const {
+    return to.j <= arcs_.cols() && (from.j >= 0 || to.j > 0) && (arcs_.rows_cyclic() || to.i <= arcs_.rows());
+  }
+  /// Rows in which a path may start.
+  [[nodiscard]] int start_rows() const { return arcs_.rows_cyclic() ? arcs_.rows() : 1; }
+
+ private:
+  const SegmentArcs& arcs_;
+  int left_;
+  std::size_t width_;
+  int rows_;
+};
+
+/// From every node, what the way to any end costs at least: the programme backwards.
+std::vector<double> least_after(const Grid& grid, const SegmentArcs& arcs) {
+  std::vector<double> least(grid.size(), kInfinity);
+  for (int i = 0; i < grid.start_rows(); ++i) {
+    for (int p = 0; p <= grid.left(); ++p) {
+      least[grid.index({arcs.rows_cyclic() ? i : arcs.rows(), arcs.cols() - p})] = 0.0;
+    }
+  }
+  for (int j = arcs.cols() - 1; j >= -grid.left(); --j) {
+    for (int i = 0; i < arcs.rows(); ++i) {
+      double& here = least[grid.index({i, j})];
+      for (const SegmentArc& arc : grid.arcs_from({i, j})) {
+        const Node next{i + arc.rows, j + arc.cols};
+        if (grid.allows({i, j}, next)) here = std::min(here, arc.cost + least[grid.index(next)]);
+      }
+    }
+  }
+  return least;
+}
+
+/// To every node, what the way from any start costs at least.
+std::vector<double> least_before(const Grid& grid, const SegmentArcs& arcs) {
+  std::vector<double> least(grid.size(), kInfinity);
+  for (int i = 0; i < grid.start_rows(); ++i) {
+    for (int p = 0; p <= grid.left(); ++p) least[grid.index({i, -p})] = 0.0;
+  }
+  for (int j = -grid.left(); j < arcs.cols(); ++j) {
+    for (int i = 0; i < arcs.rows(); ++i) {
+      const double here = least[grid.index({i, j})];
+      for (const SegmentArc& arc : grid.arcs_from({i, j})) {
+        const Node next{i + arc.rows, j + arc.cols};
+        if (!grid.allows({i, j}, next)) continue;
+        double& there = least[grid.index(next)];
+        there = std::min(there, here + arc.cost);
+      }
+    }
+  }
+  return least;
+}
+
+/// Drops the arcs that no path below `most` goes over.
+void drop_dear_arcs(SegmentArcs& arcs, double most) {
+  const Grid grid(arcs);
+  const std::vector<double> before = least_before(grid, arcs);
+  const std::vector<double> after = least_after(grid, arcs);
+  arcs.filter([&](std::size_t row, std::size_t col, const SegmentArc& arc) {
+    const auto cheap = [&](const Node& from) {
+      const Node to{from.i + arc.rows, from.j + arc.cols};
+      return grid.allows(from, to) && before[grid.index(from)] + arc.cost + after[grid.index(to)] < most;
+    };
+    const Node node{static_cast<int>(row), static_cast<int>(col)};
+    return cheap(node) || (node.j - arcs.cols() >= -grid.left() && cheap({node.i, node.j - arcs.cols()}));
+  });
+}
+
 /// Starts that are still in question, and what a path from any of them costs at least.
 struct Branch {
   double bound = 0.0;
-  std::vector<Node> starts;  ///< by row
+  std::vector<Node> starts;  ///< by column, then by row
 
   friend bool operator<(const Branch& x, const Branch& y) { return x.bound > y.bound; }
 };
@@ -28,10 +133,7 @@ struct Branch {
 class Search {
  public:
   Search(const SegmentArcs& arcs, double most)
-      : arcs_(arcs),
-        limit_(most),
-        left_(arcs.cols_cyclic() ? std::max(0, arcs.longest_cols() - 1) : 0),
-        width_(static_cast<std::size_t>(left_ + arcs.cols() + 1)) {}
+      : arcs_(arcs), grid_(arcs), least_after_(least_after(grid_, arcs)), limit_(most) {}
 
   SegmentPath run(const Progress& progress) {
     std::priority_queue<Branch> branches;
@@ -57,9 +159,8 @@ class Search {
  private:
   [[nodiscard]] std::vector<Node> all_starts() const {
     std::vector<Node> starts;
-    const int rows = arcs_.rows_cyclic() ? arcs_.rows() : 1;
-    for (int i = 0; i < rows; ++i) {
-      for (int p = 0; p <= left_; ++p) starts.push_back({i, -p});
+    for (int p = 0; p <= grid_.left(); ++p) {
+      for (int i = 0; i < grid_.start_rows(); ++i) starts.push_back({i, -p});
     }
     return starts;
   }
@@ -69,7 +170,8 @@ class Search {
   }
 
   [[nodiscard]] std::size_t index(const Node& node) const {
-    return static_cast<std::size_t>(node.i - first_row_) * width_ + static_cast<std::size_t>(node.j + left_);
+    return static_cast<std::size_t>(node.i - first_row_) * grid_.width() +
+           static_cast<std::size_t>(node.j + grid_.left());
   }
 
   /// Runs the programme from all of these starts, keeps the best path that is found, and returns the starts
@@ -101,9 +203,12 @@ class Search {
   }
 
   void relax(const std::vector<Node>& starts) {
-    first_row_ = starts.front().i;
-    const int last_row = starts.back().i + arcs_.rows();
-    const std::size_t cells = static_cast<std::size_t>(last_row - first_row_ + 1) * width_;
+    const auto [first, last] = std::minmax_element(starts.begin(), starts.end(),
+                                                   [](const Node& x, const Node& y) { return x.i < y.i; });
+    first_row_ = first->i;
+    const int last_row = last->i + arcs_.rows();
+    const int last_col = starts.front().j + arcs_.cols();
+    const std::size_t cells = static_cast<std::size_t>(last_row - first_row_ + 1) * grid_.width();
     cost_.assign(cells, kInfinity);
     origin_.assign(cells, -1);
     arrival_.assign(cells, nullptr);
@@ -111,18 +216,14 @@ class Search {
       cost_[index(starts[k])] = 0.0;
       origin_[index(starts[k])] = static_cast<std::int32_t>(k);
     }
-    const int rows = arcs_.rows();
-    const int cols = arcs_.cols();
     for (int i = first_row_; i < last_row; ++i) {
-      for (int j = -left_; j < cols; ++j) {
+      for (int j = -grid_.left(); j < arcs_.cols(); ++j) {
         const std::size_t at = index({i, j});
         const double cost = cost_[at];
-        if (!(cost < limit_)) continue;
-        const auto row = static_cast<std::size_t>(i % rows);
-        const auto col = static_cast<std::size_t>(j < 0 ? j + cols : j);
-        for (const SegmentArc& arc : arcs_.from(row, col)) {
+        if (!(cost + least_after_[grid_.index({i, j})] < limit_)) continue;
+        for (const SegmentArc& arc : grid_.arcs_from({i, j})) {
           const Node next{i + arc.rows, j + arc.cols};
-          if (next.i > last_row || next.j > cols) continue;
+          if (next.i > last_row || next.j > last_col || !grid_.allows({i, j}, next)) continue;
           const std::size_t to = index(next);
           const double sum = cost + arc.cost;
           // On a tie the arc over fewer segments.
@@ -151,9 +252,9 @@ class Search {
   }
 
   const SegmentArcs& arcs_;
+  Grid grid_;
+  std::vector<double> least_after_;
   double limit_;  ///< only paths that cost less are looked for
-  int left_;      ///< columns before column 0 in which a path may start
-  std::size_t width_;
   SegmentPath best_;
   // Of the last programme.
   int first_row_ = 0;
@@ -164,7 +265,8 @@ class Search {
 
 }  // namespace
 
-SegmentPath best_segment_path(const SegmentArcs& arcs, double most, const Progress& progress) {
+SegmentPath best_segment_path(SegmentArcs& arcs, double most, const Progress& progress) {
+  if (most < kInfinity) drop_dear_arcs(arcs, most);
   return Search(arcs, most).run(progress);
 }
 

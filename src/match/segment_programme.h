@@ -23,8 +23,9 @@ struct SegmentPath {
 /// over all starts; a closed path may jump over column 0, so its first node is (k,-p), the last one before
 /// column 1, with 0 <= p < the longest jump.
 /// Exact: branch and bound. A programme from many starts at once bounds the cost of every one of them from
-/// below; the starts that the bound does not sort out are halved until each is certain.
-[[nodiscard]] SegmentPath best_segment_path(const SegmentArcs& arcs, double most, const Progress& progress);
+/// below; the starts that the bound does not sort out are halved until each is certain. Arcs that the bounds
+/// sort out are dropped from the list.
+[[nodiscard]] SegmentPath best_segment_path(SegmentArcs& arcs, double most, const Progress& progress);
 
 }  // namespace detail
 }  // namespace v0
