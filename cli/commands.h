@@ -44,6 +44,7 @@ struct Command {
 /// Each adds its subcommand to `program` and fills `command`, which must stay where it is.
 void add_match_command(CLI::App& program, Command& command);
 void add_morph_command(CLI::App& program, Command& command);
+void add_align_command(CLI::App& program, Command& command);
 void add_info_command(CLI::App& program, Command& command);
 void add_convert_command(CLI::App& program, Command& command);
 void add_rank_command(CLI::App& program, Command& command);

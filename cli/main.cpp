@@ -23,8 +23,7 @@ namespace {
 
 /// Commands and options of the interface that do not work yet: people shall be told so, not that they
 /// mistyped.
-constexpr std::array<std::string_view, 6> kLaterCommands = {"align", "rule", "blend",
-                                                            "skin",  "font", "loft-repair"};
+constexpr std::array<std::string_view, 5> kLaterCommands = {"rule", "blend", "skin", "font", "loft-repair"};
 constexpr std::array<std::string_view, 6> kLaterOptions = {"--pin",    "--certify", "--mirror",
                                                            "--linear", "--grid",    "--axis"};
 
@@ -56,8 +55,8 @@ std::string with_suggestion(const std::string& text, std::string_view word,
     throw UsageError(with_suggestion("no option " + word, word, {"--help", "--version"}) +
                      "; options of a command stand behind it");
   }
-  throw UsageError(
-      with_suggestion("no command " + word, word, {"match", "morph", "rank", "index", "info", "convert"}));
+  throw UsageError(with_suggestion("no command " + word, word,
+                                   {"match", "morph", "align", "rank", "index", "info", "convert"}));
 }
 
 /// Our structs hold text, where empty means "not given"; an empty value that was given is a mistake.
@@ -86,13 +85,14 @@ int run(int argc, char** argv) {
                    "tandem");
   add_usage(program);
   program.allow_extras();
-  std::array<Command, 6> commands;
+  std::array<Command, 7> commands;
   add_match_command(program, commands[0]);
   add_morph_command(program, commands[1]);
   add_info_command(program, commands[2]);
   add_convert_command(program, commands[3]);
   add_rank_command(program, commands[4]);
   add_index_command(program, commands[5]);
+  add_align_command(program, commands[6]);
   for (Command& command : commands) command.app->allow_extras();
 
   try {

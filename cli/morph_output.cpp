@@ -11,14 +11,11 @@
 #include "tandem/io/lottie.h"
 #include "tandem/io/picture.h"
 #include "tandem/io/svg.h"
-#include "tandem/morph/path_morph.h"
 #include "usage_error.h"
 #include "values.h"
 
 namespace cli {
 namespace {
-
-using tandem::PathMorph;
 
 constexpr int kDefaultFrames = 60;
 constexpr int kMostFrames = 100'000;
@@ -149,12 +146,8 @@ MorphOutput plan_morph_output(const Command& command) {
   return plan;
 }
 
-void write_morph(const Command& command, const MorphOutput& plan, const tandem::Morph& morph, int dim,
+void write_morph(const Command& command, const MorphOutput& plan, const tandem::PathMorph& paths,
                  const std::string& reports) {
-  if (plan.format == Format::json && dim != 2) {
-    return write_output(command.output, format_curve_frames(morph, plan.positions, reports));
-  }
-  const PathMorph paths(morph);
   const auto content = [&]() -> std::string {
     switch (plan.format) {
       case Format::svg:

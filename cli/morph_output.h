@@ -7,7 +7,7 @@
 #include "output.h"
 #include "tandem/io/animation.h"
 #include "tandem/io/css.h"
-#include "tandem/morph/morph.h"
+#include "tandem/morph/path_morph.h"
 
 namespace cli {
 
@@ -29,9 +29,8 @@ void add_morph_output_flags(Command& command);
 /// @throws UsageError options that do not go together, or values that cannot be
 [[nodiscard]] MorphOutput plan_morph_output(const Command& command);
 
-/// reports: members of the JSON object, `"report": {...}`. dim: of the shapes; other than planar ones go to
-/// .json only.
-void write_morph(const Command& command, const MorphOutput& plan, const tandem::Morph& morph, int dim,
+/// Planar in-betweens. reports: members of the JSON object, `"report": {...}`.
+void write_morph(const Command& command, const MorphOutput& plan, const tandem::PathMorph& paths,
                  const std::string& reports);
 
 }  // namespace cli

@@ -1,8 +1,12 @@
 #include <fmt/format.h>
 
+#include <limits>
+
 #include "io/number.h"
+#include "io/svg_parts.h"
 #include "tandem/error.h"
 #include "tandem/io/path_data.h"
+#include "tandem/morph/key_frames.h"
 
 namespace tandem {
 inline namespace v0 {
@@ -54,6 +58,17 @@ std::string format_path_data(const PathMorph& morph, double s, int precision) {
   lines.reserve(morph.contours().size());
   for (const PathContour& contour : morph.contours()) lines.push_back(contour.lines);
   return format_path_data(morph.at(s), lines, precision);
+}
+
+std::vector<std::string> format_key_paths(const PathMorph& morph, int precision) {
+  // The keys are frames whatever the tolerance; no others are asked for.
+  const KeyFrames frames = key_frames(morph, {.tolerance = std::numeric_limits<double>::max()});
+  const int decimals = decimals_for(view_of(frames.box), precision);
+  std::vector<std::string> keys;
+  for (const std::size_t key : frames.keys) {
+    keys.push_back(format_path_data(frames.paths[key], frames.lines, decimals));
+  }
+  return keys;
 }
 
 }  // namespace v0

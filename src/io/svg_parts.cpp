@@ -73,10 +73,13 @@ std::string fill_attributes(FillRule fill_rule) {
 }
 
 std::string stroke_attributes(const View& view) {
+  return "fill=\"none\" " + line_attributes(view);
+}
+
+std::string line_attributes(const View& view) {
   // Butt caps: a contour that has shrunk to a point draws nothing.
-  return fmt::format(
-      "fill=\"none\" stroke=\"{}\" stroke-width=\"{}\" stroke-linecap=\"butt\" stroke-linejoin=\"round\"",
-      kInk, format_number(stroke_width(view), decimals_for(view.size())));
+  return fmt::format("stroke=\"{}\" stroke-width=\"{}\" stroke-linecap=\"butt\" stroke-linejoin=\"round\"",
+                     kInk, format_number(stroke_width(view), decimals_for(view.size())));
 }
 
 }  // namespace v0

@@ -54,6 +54,8 @@ struct PathDataParts {
 /// Attributes of the filled and of the stroked path.
 [[nodiscard]] std::string fill_attributes(FillRule fill_rule);
 [[nodiscard]] std::string stroke_attributes(const View& view);
+/// The line alone of a stroked path.
+[[nodiscard]] std::string line_attributes(const View& view);
 
 }  // namespace v0
 }  // namespace tandem

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <limits>
+#include <string_view>
 
 #include "io/svg_parts.h"
 #include "tandem/error.h"
+#include "tandem/io/path_data.h"
 #include "tandem/io/svg.h"
 
 namespace tandem {
@@ -13,6 +15,8 @@ namespace {
 
 // Curves that are no cubics are drawn within this share of the picture's diagonal.
 constexpr double kTolerance = 1e-6;
+
+constexpr std::string_view kLetters = "abcdefghijklmnopqrstuvwxyz";
 
 std::string document(const View& view, const PathDataParts& parts, FillRule fill_rule) {
   std::string text =
@@ -50,6 +54,25 @@ std::string format_frame_svg(const PathMorph& morph, double s, int precision) {
   std::vector<std::vector<bool>> lines;
   for (const PathContour& contour : morph.contours()) lines.push_back(contour.lines);
   return document(view, path_data_parts(paths, lines, decimals_for(view, precision)), morph.fill_rule());
+}
+
+std::string format_keys_svg(const PathMorph& morph, int precision) {
+  const View view = view_of(morph.box());
+  const auto any = [&](bool closed) {
+    return std::any_of(morph.contours().begin(), morph.contours().end(),
+                       [&](const PathContour& c) { return c.keys.front().is_closed() == closed; });
+  };
+  // One element per key: where some contours are open, the closed ones are stroked with them.
+  std::string paint = any(true) ? fill_attributes(morph.fill_rule()) : "fill=\"none\"";
+  if (any(false)) paint += ' ' + line_attributes(view);
+  std::string text =
+      fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"{}\">\n", format_view_box(view));
+  const std::vector<std::string> keys = format_key_paths(morph, precision);
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    const std::string id = i < kLetters.size() ? fmt::format(" id=\"{}\"", kLetters[i]) : std::string();
+    text += fmt::format("<path{} {} opacity=\"0.5\" d=\"{}\"/>\n", id, paint, keys[i]);
+  }
+  return text + "</svg>\n";
 }
 
 }  // namespace v0

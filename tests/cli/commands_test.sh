@@ -149,6 +149,30 @@ that "frames are as readable as other files" test "$(stat -c %a empty)" == "$(mk
 expect 1 morph "$square" "$triangle" -o m.json/
 rm -r frames empty
 
+# align
+expect 0 align "${quick[@]}" "$square" "$triangle" -o -
+out_has '^[{]"a": "M[^"]*Z",
+ "b": "M[^"]*Z",
+ "fill_rule": "nonzero",
+ "report": [{]'
+has_report
+letters() { sed -n "s/^[{ ]\"$1\": \"\(.*\)\",\$/\1/p" .out | tr -dc 'MCLZ'; }
+that "the same commands" test "$(letters a)" == "$(letters b)"
+that "commands at all" test -n "$(letters a)"
+expect 0 align "${quick[@]}" "$square" "$triangle" "$square" -o three.json --precision 2
+that "three letters and a list" bash -c 'grep -q "\"c\": \"M" three.json && grep -q "\"paths\": \[\"M" three.json && grep -q "\"reports\": \[" three.json'
+that "two decimals" bash -c '! grep -qE "\"a\".*[.][0-9]{3}" three.json'
+expect 0 align "${quick[@]}" "$square" "$triangle" -o aligned.svg --json
+out_has '^[{]"report"'
+expect 0 info aligned.svg#b
+out_has '1 contour'
+expect 0 align "${quick[@]}" "$square" "$triangle" -o - --to svg
+out_has '<path id="a" .*<path id="b"'
+expect 3 align 'space.json#0' 'space.json#1' -o space.svg
+err_has 'dimension 3'
+expect 4 align "${quick[@]}" 'M0 0L1 0' 'M1 1L0 1' --direction forward --strict -o strict.json
+rm three.json aligned.svg
+
 # info
 expect 0 info "$two"
 out_has '2 contours, dimension 2, fill rule nonzero, box \(0, 0\) to \(8, 8\), length 48'

@@ -21,7 +21,7 @@ out_has '--easing'
 
 wrong 'Usage|usage'
 wrong 'did you mean match' mach "$square" "$triangle"
-wrong 'align is not available yet' align "$square" "$triangle"
+wrong 'rule is not available yet' rule "$square" "$triangle"
 wrong 'no option --versoin; did you mean --version' --versoin
 wrong 'match has no option --metod; did you mean --method' match "$square" "$triangle" --metod paper
 wrong 'did you mean --samples' match --sample=20 "$square" "$triangle"
@@ -70,6 +70,9 @@ wrong 'ending' match "$square" "$triangle" -o out.html
 wrong '-o.*needs a value' match "$square" "$triangle" -o ''
 wrong '--to takes one of json, svg' match "$square" "$triangle" -o - --to html
 
+wrong 'align needs -o' align "$square" "$triangle"
+wrong 'ending' align "$square" "$triangle" -o out.css
+wrong '--precision' align "$square" "$triangle" -o out.json --precision x
 wrong 'morph needs -o' morph "$square" "$triangle"
 wrong 'hermite is not available yet' morph "$square" "$triangle" -o out.svg --blend hermite
 wrong '--blend takes one of' morph "$square" "$triangle" -o out.svg --blend linear

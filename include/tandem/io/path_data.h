@@ -32,5 +32,11 @@ inline namespace v0 {
 [[nodiscard]] TANDEM_IO_EXPORT std::string format_path_data(const PathMorph& morph, double s,
                                                             int precision = -1);
 
+/// The keys of `morph`, where they are drawn, as path data that is alike but for its numbers, so that any
+/// program which blends number by number morphs them. precision < 0: as many decimals as keep rounding below
+/// 1e-5 of the larger side.
+[[nodiscard]] TANDEM_IO_EXPORT std::vector<std::string> format_key_paths(const PathMorph& morph,
+                                                                         int precision = -1);
+
 }  // namespace v0
 }  // namespace tandem

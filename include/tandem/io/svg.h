@@ -52,6 +52,10 @@ struct SvgElement {
 [[nodiscard]] TANDEM_IO_EXPORT std::string format_frame_svg(const PathMorph& morph, double s,
                                                             int precision = -1);
 
+/// The keys as one <path> each, laid over each other half transparent, with the ids a to z as far as they go:
+/// path data as of format_key_paths().
+[[nodiscard]] TANDEM_IO_EXPORT std::string format_keys_svg(const PathMorph& morph, int precision = -1);
+
 /// A self-contained HTML page (no network): the morph with slider, play button, film strip and onion skin.
 /// Opened as page.html#s=0.5 it rests there; #s=0.5&onion shows the onion skin as well.
 /// @throws InvalidArgument duration <= 0, or no such easing

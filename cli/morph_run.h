@@ -1,0 +1,33 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "commands.h"
+#include "messages.h"
+#include "report.h"
+#include "tandem/morph/morph.h"
+#include "tandem/morph/path_morph.h"
+#include "tandem/shape/shape.h"
+
+namespace cli {
+
+/// Shapes that were matched, each with the next, and what came of it. The reports point into the morph.
+struct MorphRun {
+  Status status = kDone;  ///< kNoValidMatch: --strict, nothing shall be written
+  std::optional<tandem::Morph> curves;
+  std::optional<tandem::PathMorph> paths;  ///< of planar shapes
+  std::vector<ShapeReport> reports;        ///< one per pair of neighbours
+};
+
+/// Matches with a progress bar, and says what there is to say about the result. note_turn: a turn is seen on
+/// the way. @throws Interrupted
+[[nodiscard]] MorphRun run_morph(const Command& command, std::span<const tandem::Shape> keys,
+                                 tandem::MorphOptions options, const Messages& messages, bool note_turn);
+
+/// `"report": {...}` of two keys, `"reports": [...]` of more: members of a JSON object.
+[[nodiscard]] std::string format_reports(const std::vector<ShapeReport>& reports);
+
+}  // namespace cli
