@@ -51,13 +51,27 @@ void check(const CubicPath& contour, std::span<const PieceTarget> targets, std::
 
 using Group = std::vector<std::size_t>;  // of targets
 
-/// A chord, and which targets go to which side of it.
+/// A chord, and how many of the targets, in the order that share_out puts them in, go to one side of it.
 struct Halving {
   double cost = 0.0;
   std::size_t a = 0;
   std::size_t b = 0;
-  Group first;  ///< from place a on to b
-  Group second;
+  std::size_t count = 0;
+  bool front = true;  ///< they go to the side from place a on to b; otherwise the others do
+};
+
+/// Targets that belong together.
+struct Wish {
+  double share = 0.0;
+  Vec2 moment;  ///< sum of share times centre
+
+  void add(double target_share, Vec2 center) {
+    share += target_share;
+    moment = plus(moment, times(target_share, center));
+  }
+  [[nodiscard]] Wish without(const Wish& other) const {
+    return {share - other.share, minus(moment, other.moment)};
+  }
 };
 
 struct Plan {
@@ -91,15 +105,19 @@ class Cutter {
     const CutBoundary boundary(piece.path, holes_, scale_);
     Plan best;
     if (group.size() == 1) {
-      best.cost = misfit(boundary, boundary.whole(), group);
+      best.cost = misfit(boundary.whole(), wish_of(boundary, group));
       best.pieces.emplace_back(group.front(), std::move(piece));
       return best;
     }
     for (const Halving& halving : choose(boundary, group)) {
       const double u = boundary.parameter(halving.a);
       const double v = boundary.parameter(halving.b);
-      Plan first = divide(close_by_chord(piece, u, v), halving.first);
-      Plan second = divide(close_by_chord(piece, v, u), halving.second);
+      const Group row = put_in_order(boundary, halving.a, halving.b, group);
+      const auto cut = row.begin() + static_cast<std::ptrdiff_t>(halving.count);
+      const Group low(row.begin(), cut);
+      const Group high(cut, row.end());
+      Plan first = divide(close_by_chord(piece, u, v), halving.front ? low : high);
+      Plan second = divide(close_by_chord(piece, v, u), halving.front ? high : low);
       const double cost = chord_cost(boundary, halving.a, halving.b) + first.cost + second.cost;
       if (!(cost < best.cost)) continue;
       best.cost = cost;
@@ -114,7 +132,7 @@ class Cutter {
     std::vector<Halving> all;
     for (std::size_t a = 0; a < boundary.size(); ++a) {
       for (std::size_t b = a + 1; b < boundary.size(); ++b) {
-        if (auto halving = share_out(boundary, a, b, group)) all.push_back(std::move(*halving));
+        if (auto halving = share_out(boundary, a, b, group)) all.push_back(*halving);
       }
     }
     std::sort(all.begin(), all.end(), [](const Halving& p, const Halving& q) {
@@ -126,26 +144,22 @@ class Cutter {
       return std::min(apart, boundary.size() - apart) < kDistinct;
     };
     std::vector<Halving> chosen;
-    for (Halving& halving : all) {
+    std::size_t last_block = 0;
+    for (const Halving& halving : all) {
       if (chosen.size() == most) break;
       const bool known = std::any_of(chosen.begin(), chosen.end(), [&](const Halving& other) {
         return near(other.a, halving.a) && near(other.b, halving.b);
       });
-      if (!known && boundary.admits(halving.a, halving.b)) chosen.push_back(std::move(halving));
+      if (!known && boundary.admits(halving.a, halving.b, last_block)) chosen.push_back(halving);
     }
     return chosen;
   }
 
-  // The best of the ways to share out the targets to both sides of a chord: from one side to the other when
-  // they have places, else from the smallest share to the largest, and either end of the row to either side.
-  std::optional<Halving> share_out(const CutBoundary& boundary, std::size_t a, std::size_t b,
-                                   const Group& group) const {
-    const Region whole = boundary.whole();
+  // The targets from one side of a chord to the other when they have places, else from the smallest share to
+  // the largest.
+  Group put_in_order(const CutBoundary& boundary, std::size_t a, std::size_t b, const Group& group) const {
     const Region first = boundary.side(a, b);
-    const Region second{whole.area - first.area, rest(whole, first)};
-    // Beyond a chord outside the contour areas have other signs.
-    if (!(first.area / area_ > 0.0 && second.area / area_ > 0.0)) return std::nullopt;
-    const Vec2 axis = minus(second.centroid, first.centroid);
+    const Vec2 axis = minus(rest(boundary.whole(), first).centroid, first.centroid);
     Group row = group;
     std::sort(row.begin(), row.end(), [&](std::size_t i, std::size_t j) {
       const auto key = [&](std::size_t k) {
@@ -153,51 +167,65 @@ class Cutter {
       };
       return key(i) != key(j) ? key(i) < key(j) : i < j;
     });
+    return row;
+  }
+
+  // The best of the ways to share out the targets: either end of the row to either side.
+  std::optional<Halving> share_out(const CutBoundary& boundary, std::size_t a, std::size_t b,
+                                   const Group& group) const {
+    const Region first = boundary.side(a, b);
+    const Region second = rest(boundary.whole(), first);
+    // Beyond a chord outside the contour areas have other signs.
+    if (!(first.area / area_ > 0.0 && second.area / area_ > 0.0)) return std::nullopt;
+    const Group row = put_in_order(boundary, a, b, group);
+    const Wish all = wish_of(boundary, row);
+    const double length = chord_cost(boundary, a, b);
     std::optional<Halving> best;
+    Wish low;
     for (std::size_t count = 1; count < row.size(); ++count) {
+      low.add(targets_[row[count - 1]].share, center_of(boundary, row[count - 1]));
+      const Wish high = all.without(low);
       for (const bool front : {true, false}) {
-        const auto cut = row.begin() + static_cast<std::ptrdiff_t>(count);
-        Group low(row.begin(), cut);
-        Group high(cut, row.end());
-        if (!front) std::swap(low, high);
-        if (first.area / area_ < kLeastShare * share_of(low) ||
-            second.area / area_ < kLeastShare * share_of(high)) {
+        const Wish& one = front ? low : high;
+        const Wish& other = front ? high : low;
+        if (first.area / area_ < kLeastShare * one.share || second.area / area_ < kLeastShare * other.share) {
           continue;
         }
-        const double cost =
-            chord_cost(boundary, a, b) + misfit(boundary, first, low) + misfit(boundary, second, high);
-        if (!best || cost < best->cost) best = Halving{cost, a, b, std::move(low), std::move(high)};
+        const double cost = length + misfit(first, one) + misfit(second, other);
+        if (!best || cost < best->cost) best = Halving{cost, a, b, count, front};
       }
     }
     return best;
   }
 
-  static Vec2 rest(const Region& whole, const Region& part) {
+  // The whole without a part of it.
+  static Region rest(const Region& whole, const Region& part) {
     const double area = whole.area - part.area;
-    if (area == 0.0) return whole.centroid;
-    return times(1.0 / area, minus(times(whole.area, whole.centroid), times(part.area, part.centroid)));
+    if (area == 0.0) return {0.0, whole.centroid};
+    return {area,
+            times(1.0 / area, minus(times(whole.area, whole.centroid), times(part.area, part.centroid)))};
+  }
+
+  Vec2 center_of(const CutBoundary& boundary, std::size_t target) const {
+    return have_centers_ ? boundary.to_flat(*targets_[target].center) : Vec2{};
+  }
+
+  Wish wish_of(const CutBoundary& boundary, const Group& group) const {
+    Wish wish;
+    for (const std::size_t i : group) wish.add(targets_[i].share, center_of(boundary, i));
+    return wish;
   }
 
   double chord_cost(const CutBoundary& boundary, std::size_t a, std::size_t b) const {
     return options_.length_weight * distance(boundary.point(a), boundary.point(b));
   }
 
-  double share_of(const Group& group) const {
-    double share = 0.0;
-    for (const std::size_t i : group) share += targets_[i].share;
-    return share;
-  }
-
-  // How far a region is from what a group of targets should have together.
-  double misfit(const CutBoundary& boundary, const Region& region, const Group& group) const {
-    const double share = share_of(group);
-    double cost = options_.share_weight * std::abs(region.area / area_ - share);
+  // How far a region is from what its targets should have together.
+  double misfit(const Region& region, const Wish& wish) const {
+    const double cost = options_.share_weight * std::abs(region.area / area_ - wish.share);
     if (!have_centers_) return cost;
-    Vec2 center;
-    for (const std::size_t i : group) {
-      center = plus(center, times(targets_[i].share / share, boundary.to_flat(*targets_[i].center)));
-    }
-    return cost + options_.center_weight * share * distance(center, region.centroid);
+    const Vec2 center = times(1.0 / wish.share, wish.moment);
+    return cost + options_.center_weight * wish.share * distance(center, region.centroid);
   }
 
   std::span<const CubicPath> holes_;

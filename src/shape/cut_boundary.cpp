@@ -45,6 +45,13 @@ CutBoundary::CutBoundary(const CubicPath& contour, std::span<const CubicPath> ho
   views.insert(views.end(), others.begin(), others.end());
   flat_.assign(views, kTolerance, scale);
   place_vertices(flat_.paths().front(), views.front());
+  for (std::size_t i = 0; i + 1 < vertices_.size(); ++i) edges_.push_back({position(i), position(i + 1)});
+  for (std::size_t p = 1; p < flat_.paths().size(); ++p) {
+    for (std::size_t i = flat_.paths()[p].first; i < flat_.paths()[p].last; ++i) {
+      const FlatVertex* v = &flat_.vertices()[i];
+      edges_.push_back({{v[0].x, v[0].y}, {v[1].x, v[1].y}});
+    }
+  }
 }
 
 void CutBoundary::place_vertices(const FlatPath& path, const PathView& view) {
@@ -121,43 +128,45 @@ bool CutBoundary::points_inside(std::size_t vertex, Vec2 direction) const {
   return !outside || (dot(back, on) > 0.9 && dot(back, c) < 0.0);
 }
 
-bool CutBoundary::is_clear(Vec2 a, Vec2 b) const {
+bool CutBoundary::blocks(const Edge& edge, Vec2 a, Vec2 b, double clear) {
   const Vec2 chord = minus(b, a);
-  const double squared = dot(chord, chord);
-  const auto too_near = [&](Vec2 p) {
-    const Vec2 from_a = minus(p, a);
-    const Vec2 from_b = minus(p, b);
-    if (dot(from_a, from_a) <= kOwn * kOwn || dot(from_b, from_b) <= kOwn * kOwn) return false;
-    const double along = dot(from_a, chord);
-    if (along < 0.0 || along > squared) return false;
-    const double off = cross(chord, from_a);
-    return off * off <= kClear * kClear * squared;
-  };
-  const auto blocks = [&](const FlatVertex& v, const FlatVertex& w) {
-    const Vec2 c{v.x, v.y};
-    const Vec2 d{w.x, w.y};
-    const bool own = c == a || c == b || d == a || d == b;
-    return too_near(c) || (!own && cross_each_other(a, b, c, d));
-  };
-  for (std::size_t i = 0; i + 1 < vertices_.size(); ++i) {
-    if (blocks(vertices_[i], vertices_[i + 1])) return false;
+  const Vec2 from_a = minus(edge.from, a);
+  const double off = cross(chord, from_a);
+  const double off_to = cross(chord, minus(edge.to, a));
+  if ((off > clear && off_to > clear) || (off < -clear && off_to < -clear)) return false;
+  const Vec2 from_b = minus(edge.from, b);
+  const double along = dot(from_a, chord);
+  if (std::abs(off) <= clear && along >= 0.0 && along <= dot(chord, chord) &&
+      dot(from_a, from_a) > kOwn * kOwn && dot(from_b, from_b) > kOwn * kOwn) {
+    return true;
   }
-  for (std::size_t p = 1; p < flat_.paths().size(); ++p) {
-    for (std::size_t i = flat_.paths()[p].first; i < flat_.paths()[p].last; ++i) {
-      if (blocks(flat_.vertices()[i], flat_.vertices()[i + 1])) return false;
+  const bool own = edge.from == a || edge.from == b || edge.to == a || edge.to == b;
+  return !own && cross_each_other(a, b, edge.from, edge.to);
+}
+
+bool CutBoundary::is_clear(Vec2 a, Vec2 b, std::size_t& last_block) const {
+  const double clear = kClear * distance(a, b);  // as an area
+  if (blocks(edges_[last_block], a, b, clear)) return false;
+  for (std::size_t i = 0; i < edges_.size(); ++i) {
+    if (blocks(edges_[i], a, b, clear)) {
+      last_block = i;
+      return false;
     }
-    // From a point where the hole touches the outline a chord may run through the hole uncrossed.
+  }
+  // From a point where a hole touches the outline a chord may run through the hole uncrossed.
+  for (std::size_t p = 1; p < flat_.paths().size(); ++p) {
     if (winding_number(flat_, flat_.paths()[p], middle(a, b)) != 0) return false;
   }
   return true;
 }
 
-bool CutBoundary::admits(std::size_t a, std::size_t b) const {
+bool CutBoundary::admits(std::size_t a, std::size_t b, std::size_t& last_block) const {
   const Vec2 p = point(a);
   const Vec2 q = point(b);
   const Vec2 chord = minus(q, p);
   if (!(dot(chord, chord) > kOwn * kOwn)) return false;
-  return points_inside(places_[a], chord) && points_inside(places_[b], minus(p, q)) && is_clear(p, q);
+  return points_inside(places_[a], chord) && points_inside(places_[b], minus(p, q)) &&
+         is_clear(p, q, last_block);
 }
 
 }  // namespace v0

@@ -33,8 +33,9 @@ class CutBoundary {
   [[nodiscard]] Region whole() const;
   /// What the outline from place a on to place b > a encloses with the chord back.
   [[nodiscard]] Region side(std::size_t a, std::size_t b) const;
-  /// Whether the chord lies inside, clear of everything.
-  [[nodiscard]] bool admits(std::size_t a, std::size_t b) const;
+  /// Whether the chord lies inside, clear of everything. last_block: what blocked a chord before, looked at
+  /// first; 0 to begin with.
+  [[nodiscard]] bool admits(std::size_t a, std::size_t b, std::size_t& last_block) const;
 
  private:
   /// Integrals of 1, x and y over the triangles from the origin to the edges: twice, six times, six times.
@@ -47,13 +48,19 @@ class CutBoundary {
   void choose_places(double spacing);
   [[nodiscard]] Vec2 position(std::size_t vertex) const { return {vertices_[vertex].x, vertices_[vertex].y}; }
   [[nodiscard]] bool points_inside(std::size_t vertex, Vec2 direction) const;
-  [[nodiscard]] bool is_clear(Vec2 a, Vec2 b) const;
+  struct Edge {
+    Vec2 from;
+    Vec2 to;
+  };
+  static bool blocks(const Edge& edge, Vec2 a, Vec2 b, double clear);
+  [[nodiscard]] bool is_clear(Vec2 a, Vec2 b, std::size_t& last_block) const;
   static Moments moments(Vec2 p, Vec2 q);
   static Region region(const Moments& m);
 
   Flattening flat_;
   std::vector<FlatVertex> vertices_;  // the last repeats the first
   std::vector<Moments> sums_;         // over the edges before each vertex
+  std::vector<Edge> edges_;           // of the contour, then of the holes
   std::vector<std::size_t> places_;   // vertices
 };
 
