@@ -163,7 +163,8 @@ TEST(Crossings, OfOneCubicAreItsDoublePoint) {
     for (const double x : {u, v, u - 1, v - 1}) RC_PRE(std::fabs(x) > 1e-2);  // not at an end
     const std::vector<CubicPath> path{cubic(p[0], p[1], p[2], p[3])};
     const bool loop = discriminant > 0 && u > 0 && v < 1;
-    RC_PRE(!loop || !test::shallow(path[0], u, v, 0.05));
+    const bool clear = !loop || !test::shallow(path[0], u, v, 0.05);
+    RC_PRE(clear);
     std::vector<Crossing> proper;
     for (const Crossing& c : find_crossings(path)) {
       if (c.u < c.v) {
@@ -367,7 +368,8 @@ TEST(Crossings, OfCubicsLieOnBothBranches) {
           return far;
         };
         const double loop = std::min(reach(c.u, c.v), reach(c.v, c.u + end));
-        RC_ASSERT(loop < 3e-2 || test::shallow(path, c.u / steps, c.v / steps, 0.03));
+        const bool excused = loop < 3e-2 || test::shallow(path, c.u / steps, c.v / steps, 0.03);
+        RC_ASSERT(excused);
       }
     }
   }));
