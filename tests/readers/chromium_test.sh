@@ -5,10 +5,10 @@ source "$(dirname "${BASH_SOURCE[0]}")/pictures.sh"
 chromium=$(command -v chromium || command -v chromium-browser || command -v google-chrome) || skip "no Chromium"
 need_imagemagick
 
-root=()
+root=() preferences=()
 ((EUID != 0)) || root=(--no-sandbox)
 browse() { # ARG...: Chromium without a window, and without a word
-  "$chromium" --headless "${root[@]}" --disable-gpu --hide-scrollbars --force-color-profile=srgb \
+  "$chromium" --headless "${preferences[@]}" "${root[@]}" --disable-gpu --hide-scrollbars --force-color-profile=srgb \
     --force-device-scale-factor=1 --user-data-dir="$work/.chromium" "$@" 2>/dev/null
 }
 
@@ -72,7 +72,7 @@ check icon linear "$DATA/icons/heart.svg" "$DATA/icons/star.svg"
 other_picture icon.smil.png icon.ours.png
 check holes 0.42,0,0.58,1 "$DATA/icons/cat.svg" "$DATA/icons/bird.svg"
 check turn 0.25,0.1,0.25,1 'M0 0H9V2H3V5H0Z' 'M0 0V9H-2V3H-5V0Z' 'M0 0H9V9H0Z'
-check open linear 'M0 0C1 5 5 5 9 0' 'M0 0C5 -5 5 5 9 9' 
+check open linear 'M0 0C1 5 5 5 9 0' 'M0 0C5 -5 5 5 9 9'
 
 # The player rests where its address says, with the points of our own in-between.
 expect 0 morph "$DATA/icons/heart.svg" "$DATA/icons/star.svg" -o player.html --quiet
@@ -81,4 +81,18 @@ ours=$(grep -o '"d": "[^"]*"' <<<"$out" | head -1)
 theirs=$(browse --dump-dom "file://$work/player.html#s=0.37" | grep -o '<path class="fill" id="fill"[^>]* d="[^"]*"' | sed 's/.* d=/d=/')
 that "the player's in-between" same_numbers "$ours" "$theirs"
 that "another in-between is another" other_numbers "$ours" "${theirs/M1/M2}"
+
+# Who prefers reduced motion sees the last shape, at rest.
+preferences=(--force-prefers-reduced-motion)
+our_sheet still 1 1 1 1 1 -- "$DATA/icons/heart.svg" "$DATA/icons/star.svg"
+{
+  page_head
+  smil_row icon.svg
+  css_row icon.css "$(sed -n '1s|^/\* \(.*\) \*/$|\1|p' icon.css)"
+  css_row icon.clip.css '<div class="clip"></div>'
+} >still.html
+shot still.html still.smil still.css still.clip
+for row in smil css clip; do same_picture "still.$row.png" still.ours.png; done
+theirs=$(browse --dump-dom "file://$work/player.html" | grep -o '<output[^>]*>[^<]*')
+that "the player waits: $theirs" test "${theirs#*>}" == 0.00
 finish
