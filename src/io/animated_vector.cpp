@@ -91,6 +91,7 @@ class VectorWriter {
     Target stroked{"stroked", "pathData", "pathType", {}};
     for (const std::vector<CubicPath>& paths : frames_.paths) {
       std::vector<CubicPath> drawn;
+      drawn.reserve(paths.size());
       for (const CubicPath& path : paths) {
         drawn.push_back(transform(path, Transform::translate(corner.x, corner.y)));
       }

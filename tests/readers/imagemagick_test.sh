@@ -3,7 +3,6 @@ source "$(dirname "${BASH_SOURCE[0]}")/../cli/lib.sh"
 source "$(dirname "${BASH_SOURCE[0]}")/pictures.sh"
 
 need_imagemagick
-command -v mogrify >/dev/null || skip "no ImageMagick (mogrify)"
 
 shapes=("$DATA/icons/cat.svg" "$DATA/icons/bird.svg")
 delays() { identify -format '%T ' "$1"; }

@@ -11,7 +11,7 @@ skip() {
 
 need_imagemagick() {
   local tool
-  for tool in montage compare identify; do
+  for tool in montage compare identify mogrify; do
     command -v "$tool" >/dev/null || skip "no ImageMagick ($tool)"
   done
 }
