@@ -1,6 +1,7 @@
 # Android vector drawables: Android's own compiler takes them, and what they draw at both ends is what we draw.
-source "$(dirname "${BASH_SOURCE[0]}")/../cli/lib.sh"
-source "$(dirname "${BASH_SOURCE[0]}")/pictures.sh"
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+source "$here/../cli/lib.sh"
+source "$here/pictures.sh"
 
 command -v aapt2 >/dev/null || skip "no aapt2"
 command -v rsvg-convert >/dev/null || skip "no rsvg-convert"

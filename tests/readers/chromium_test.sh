@@ -1,6 +1,7 @@
 # What Chromium shows of SVG, CSS and HTML at fixed times, against our own pictures.
-source "$(dirname "${BASH_SOURCE[0]}")/../cli/lib.sh"
-source "$(dirname "${BASH_SOURCE[0]}")/pictures.sh"
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+source "$here/../cli/lib.sh"
+source "$here/pictures.sh"
 
 chromium=$(command -v chromium || command -v chromium-browser || command -v google-chrome) || skip "no Chromium"
 need_imagemagick

@@ -1,6 +1,7 @@
 # What ImageMagick reads of GIF and PNG: sizes, delays, loops and pixels, against our own pictures and rsvg-convert's.
-source "$(dirname "${BASH_SOURCE[0]}")/../cli/lib.sh"
-source "$(dirname "${BASH_SOURCE[0]}")/pictures.sh"
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+source "$here/../cli/lib.sh"
+source "$here/pictures.sh"
 
 need_imagemagick
 
