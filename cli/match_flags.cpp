@@ -63,7 +63,7 @@ void add_match_flags(CLI::App& command, MatchFlags& flags) {
   const auto option = [&](const char* name, std::string& value, const char* type, const char* help) {
     command.add_option(name, value, help)->type_name(type)->group(group);
   };
-  option("--method", flags.method, "NAME", "elastic (default), paper");
+  option("--method", flags.method, "NAME", "elastic (default), paper, segments");
   option("--norm", flags.norm, "NAME", "tangent (default), ruled, distance, bottleneck");
   option("--samples", flags.samples, "M[,M2]", "Nodes per curve (128 closed, 100 open; paper: 100)");
   option("--sampling", flags.sampling, "NAME", "arc, parameter, curvature (arc; paper: parameter)");
@@ -88,6 +88,24 @@ void add_match_flags(CLI::App& command, MatchFlags& flags) {
       ->group(group);
 }
 
+namespace {
+
+/// The segments method has no samples, and a cost of its own.
+void refuse_samples(const MatchFlags& flags) {
+  const auto refuse = [](bool given, const char* name) {
+    if (given) throw UsageError(std::string(name) + " does not go with --method segments");
+  };
+  refuse(flags.norm != "tangent", "--norm");
+  refuse(!flags.samples.empty(), "--samples");
+  refuse(!flags.sampling.empty(), "--sampling");
+  refuse(flags.features != "tangent", "--features");
+  refuse(!flags.low_pass.empty(), "--low-pass");
+  refuse(flags.fast, "--fast");
+  refuse(flags.closed == "pinned", "--closed pinned");
+}
+
+}  // namespace
+
 tandem::LoadOptions to_load_options(const CommonFlags& flags) {
   return {.fill_rule = choose<FillRule>("--fill-rule", flags.fill_rule,
                                         {{"nonzero", FillRule::nonzero}, {"evenodd", FillRule::evenodd}})};
@@ -95,8 +113,10 @@ tandem::LoadOptions to_load_options(const CommonFlags& flags) {
 
 MatchOptions to_match_options(const MatchFlags& flags) {
   MatchOptions options;
-  options.method = choose<Method>("--method", flags.method,
-                                  {{"elastic", Method::elastic}, {"paper", Method::paper}}, {"segments"});
+  options.method = choose<Method>(
+      "--method", flags.method,
+      {{"elastic", Method::elastic}, {"paper", Method::paper}, {"segments", Method::segments}});
+  if (options.method == Method::segments) refuse_samples(flags);
   options.norm = choose<NormKind>("--norm", flags.norm,
                                   {{"tangent", NormKind::tangent},
                                    {"ruled", NormKind::ruled},

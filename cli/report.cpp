@@ -19,7 +19,15 @@ using tandem::Match;
 using tandem::MatchReport;
 
 std::string_view name(tandem::Method method) {
-  return method == tandem::Method::paper ? "paper" : "elastic";
+  switch (method) {
+    case tandem::Method::paper:
+      return "paper";
+    case tandem::Method::segments:
+      return "segments";
+    case tandem::Method::elastic:
+      break;
+  }
+  return "elastic";
 }
 
 std::string_view name(tandem::Sampling sampling) {
@@ -106,18 +114,25 @@ std::string format_turn(const Match& match, std::string_view label) {
 
 std::string format_contour_table(const Match& match) {
   const MatchReport& r = match.report;
-  const bool paper = r.method == tandem::Method::paper;
+  const bool segments = r.method == tandem::Method::segments;
+  const char* nodes = segments ? "joints" : "samples";
+  const char* unit = r.method == tandem::Method::paper ? "node"
+                     : segments                        ? "pair of segments"
+                                                       : "unit of length";
   const tandem::Curve& v = match.reparametrization.v;
   std::string text;
-  text += fmt::format("cost         {:.6g} (mean {:.4g} per {})\n", r.cost, r.mean_cost,
-                      paper ? "node" : "unit of length");
+  text += fmt::format("cost         {:.6g} (mean {:.4g} per {})\n", r.cost, r.mean_cost, unit);
   text += fmt::format("valid        {} (smallest <T1,T2> {:.4g}, > 0 on {} of the length)\n",
                       r.validity.valid ? "yes" : "no", r.validity.min_dot, percent(r.validity.valid_share));
   text += fmt::format("direction    {}\n", name(r.direction));
   if (match.correspondence.closed)
-    text += fmt::format("shift        {} of {} samples\n", r.shift, r.samples[1]);
+    text += fmt::format("shift        {} of {} {}\n", r.shift, r.samples[1], nodes);
   text += format_turn(match, "turn         ");
-  text += fmt::format("samples      {} and {}, by {}\n", r.samples[0], r.samples[1], name(r.sampling));
+  if (segments) {
+    text += fmt::format("joints       {} and {}\n", r.samples[0], r.samples[1]);
+  } else {
+    text += fmt::format("samples      {} and {}, by {}\n", r.samples[0], r.samples[1], name(r.sampling));
+  }
   text += fmt::format("v(u)         order {}, {} coefficients, within {} of its domain\n", v.degree() + 1,
                       v.size(), percent(match.reparametrization.max_deviation));
   text += fmt::format("method       {}, norm {}{}\n", name(r.method), r.norm, r.exact ? "" : ", fast");

@@ -18,7 +18,15 @@ inline namespace v0 {
 namespace {
 
 std::string_view name(Method method) {
-  return method == Method::paper ? "paper" : "elastic";
+  switch (method) {
+    case Method::paper:
+      return "paper";
+    case Method::segments:
+      return "segments";
+    case Method::elastic:
+      break;
+  }
+  return "elastic";
 }
 
 std::string_view name(Sampling sampling) {

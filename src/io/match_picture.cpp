@@ -19,7 +19,15 @@ constexpr Frame kLinks{36.0, 92.0, 560.0, 512.0};
 constexpr Frame kTable{664.0, 92.0, 480.0, 480.0};
 
 const char* method_name(Method method) {
-  return method == Method::paper ? "paper" : "elastic";
+  switch (method) {
+    case Method::paper:
+      return "paper";
+    case Method::segments:
+      return "segments";
+    case Method::elastic:
+      break;
+  }
+  return "elastic";
 }
 
 std::string title(const MatchReport& report) {

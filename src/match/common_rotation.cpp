@@ -9,8 +9,10 @@
 namespace tandem {
 inline namespace v0 {
 
-Rotation common_rotation(std::span<const Curve> a, std::span<const Curve> b, const MatchOptions& options,
+Rotation common_rotation(std::span<const Curve> a, std::span<const Curve> b, const MatchOptions& given,
                          double least_gain) {
+  MatchOptions options = given;
+  if (options.method == Method::segments) options.method = Method::elastic;
   if (a.empty() || a.size() != b.size()) {
     throw InvalidArgument("a common rotation needs pairs of curves; there are " + std::to_string(a.size()) +
                           " and " + std::to_string(b.size()));

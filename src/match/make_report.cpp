@@ -109,6 +109,25 @@ MatchReport make_report(const Samples& a, const SearchResult& found, const Match
   return report;
 }
 
+MatchReport make_report(const SegmentMatch& found, int dim, const MatchOptions& options) {
+  MatchReport report;
+  report.method = Method::segments;
+  report.norm = "derivative";
+  report.sampling = Sampling::parameter;
+  const Node first = found.path.front();
+  const Node last = found.path.back();
+  // A loop's joints are distinct, an open path has one more than segments.
+  const int ends = found.correspondence.closed ? 0 : 1;
+  report.samples = {last.i - first.i + ends, last.j - first.j + ends};
+  report.direction = found.direction;
+  report.shift = found.shift;
+  report.rotation = options.rotation.empty() ? identity_rotation(dim) : options.rotation;
+  report.path = found.path;
+  report.cost = found.cost;
+  report.mean_cost = found.cost / static_cast<double>(found.a.segment_count());
+  return report;
+}
+
 }  // namespace detail
 }  // namespace v0
 }  // namespace tandem

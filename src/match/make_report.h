@@ -2,6 +2,7 @@
 
 #include "match/search.h"
 #include "tandem/match/match.h"
+#include "tandem/match/segments.h"
 
 namespace tandem {
 inline namespace v0 {
@@ -10,6 +11,9 @@ namespace detail {
 /// The report of a programme's path: everything but the times and the validity of the fitted curves.
 [[nodiscard]] MatchReport make_report(const Samples& a, const SearchResult& found,
                                       const MatchOptions& options, Layout layout);
+
+/// The same of matched segments.
+[[nodiscard]] MatchReport make_report(const SegmentMatch& found, int dim, const MatchOptions& options);
 
 }  // namespace detail
 }  // namespace v0

@@ -12,10 +12,12 @@
 #include "match/sample_pair.h"
 #include "match/search.h"
 #include "match/search_near.h"
+#include "match/segment_paths.h"
 #include "tandem/curve/compose.h"
 #include "tandem/curve/edit.h"
 #include "tandem/error.h"
 #include "tandem/match/rotation.h"
+#include "tandem/match/segments.h"
 
 namespace tandem {
 inline namespace v0 {
@@ -154,11 +156,58 @@ void check_curves(const Curve& a, const Curve& b, const MatchOptions& options) {
   }
 }
 
+/// What is known once the path is.
+struct Found {
+  SamplePair samples;  ///< both forward
+  PathParameters path;
+  MatchReport report;  ///< all but the fit and what follows it
+};
+
+/// From the path to curves in step.
+Match finish(const Curve& a, const Curve& b, const MatchOptions& options, Layout layout, Found found) {
+  Stopwatch watch;
+  const Correspondence& correspondence = found.path.correspondence;
+  MatchReport& report = found.report;
+  Reparametrization r = in_own_domain(
+      fit(fit_path(correspondence, found.path.corners), reduction_of(options), correspondence.reversed),
+      correspondence.domain_v, b.domain());
+  report.seconds.fit = watch.lap();
+  Curve curve = compose(prepare_second(b, correspondence, r, layout), r.v);
+  report.seconds.compose = watch.lap();
+
+  const Curve& first = layout == Layout::cut_a ? move_seam(a, curve.domain().lo) : a;
+  report.validity = validity_of(first, curve, Rotation(a.dim(), report.rotation), options.norm);
+  if (correspondence.reversed) found.samples.b = reversed(found.samples.b);
+  return {std::move(found.path.correspondence),
+          std::move(r),
+          std::move(curve),
+          std::move(found.report),
+          std::move(found.samples.a),
+          std::move(found.samples.b)};
+}
+
+Match match_by_segments(const Curve& a, const Curve& b, MatchOptions options, Layout layout) {
+  Stopwatch watch;
+  if (options.rotation.empty() && options.rotate.value_or(false)) {
+    options.rotation = common_rotation({&a, 1}, {&b, 1}, options).values();
+  }
+  detail::SegmentPaths paths = detail::segment_paths(a, b, layout);
+  const double sample_seconds = watch.lap();
+  const SegmentMatch found = detail::match_segment_paths(paths, options);
+  if (found.cancelled) return cancelled_match(a, b, std::move(paths.samples));
+  MatchReport report = detail::make_report(found, a.dim(), options);
+  report.seconds.sample = sample_seconds;
+  report.seconds.match = watch.lap();
+  PathParameters path = detail::path_parameters(found, paths);
+  return finish(a, b, options, layout, {std::move(paths.samples), std::move(path), std::move(report)});
+}
+
 }  // namespace
 
 Match match(const Curve& a, const Curve& b, const MatchOptions& options) {
   check_curves(a, b, options);
   const Layout layout = detail::choose_layout(a, b, options.closed);
+  if (options.method == Method::segments) return match_by_segments(a, b, options, layout);
   Stopwatch watch;
   SamplePair samples = detail::sample_pair(a, b, options, layout, 1);
   const double sample_seconds = watch.lap();
@@ -177,19 +226,7 @@ Match match(const Curve& a, const Curve& b, const MatchOptions& options) {
   report.rotation = best.rotation.values();
   report.seconds.sample = sample_seconds;
   report.seconds.match = watch.lap();
-
-  Reparametrization r = in_own_domain(
-      fit(fit_path(path.correspondence, path.corners), reduction_of(options), path.correspondence.reversed),
-      path.correspondence.domain_v, b.domain());
-  report.seconds.fit = watch.lap();
-  Curve curve = compose(prepare_second(b, path.correspondence, r, layout), r.v);
-  report.seconds.compose = watch.lap();
-
-  const Curve& first = layout == Layout::cut_a ? move_seam(a, curve.domain().lo) : a;
-  report.validity = validity_of(first, curve, best.rotation, options.norm);
-  if (found.reversed) samples.b = reversed(samples.b);
-  return {std::move(path.correspondence), std::move(r),        std::move(curve), std::move(report),
-          std::move(samples.a),           std::move(samples.b)};
+  return finish(a, b, options, layout, {std::move(samples), std::move(path), std::move(report)});
 }
 
 std::vector<Match> match_chain(std::span<const Curve> curves, const MatchOptions& options) {

@@ -84,8 +84,14 @@ bool follows(const std::vector<std::array<double, 4>>& cubic, const Curve& curve
   return true;
 }
 
+/// The cubics of several curves, and where they begin.
+struct Fit {
+  std::vector<Points> points;
+  std::vector<double> breaks;
+};
+
 void fit_span(std::span<const Curve> curves, double lo, double hi, double tolerance, int halvings,
-              std::vector<Points>& result) {
+              Fit& result) {
   std::vector<std::vector<std::array<double, 4>>> cubics;
   bool good = true;
   for (const Curve& curve : curves) {
@@ -98,20 +104,17 @@ void fit_span(std::span<const Curve> curves, double lo, double hi, double tolera
     fit_span(curves, middle, hi, tolerance, halvings - 1, result);
     return;
   }
-  for (std::size_t i = 0; i < curves.size(); ++i) append(result[i], cubics[i]);
+  for (std::size_t i = 0; i < curves.size(); ++i) append(result.points[i], cubics[i]);
+  result.breaks.push_back(hi);
 }
 
-}  // namespace
+bool is_exact(const Curve& curve) {
+  return curve.degree() <= 3 && !curve.is_rational();
+}
 
-std::vector<Points> cubic_control_points(std::span<const Curve> curves, double tolerance) {
-  const bool exact = std::all_of(curves.begin(), curves.end(),
-                                 [](const Curve& c) { return c.degree() <= 3 && !c.is_rational(); });
-  std::vector<Points> result;
-  if (exact) {
-    for (const Curve& curve : curves) result.push_back(elevate(curve));
-    return result;
-  }
-  result.resize(curves.size());
+Fit fit(std::span<const Curve> curves, double tolerance) {
+  Fit result;
+  result.points.resize(curves.size());
   double largest = 0.0;
   for (const Curve& curve : curves) {
     for (double x : curve.control_points().data()) largest = std::max(largest, std::fabs(x));
@@ -121,11 +124,29 @@ std::vector<Points> cubic_control_points(std::span<const Curve> curves, double t
       kProbeShare * tolerance / std::sqrt(static_cast<double>(curves.front().dim())), kRounding * largest);
   const Interval domain = curves.front().domain();
   const std::vector<Knot> knots = distinct_knots(curves.front().knots());
+  result.breaks.push_back(domain.lo);
   for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
     if (knots[i].value < domain.lo || knots[i + 1].value > domain.hi) continue;
     fit_span(curves, knots[i].value, knots[i + 1].value, share, kMostHalvings, result);
   }
   return result;
+}
+
+}  // namespace
+
+std::vector<Points> cubic_control_points(std::span<const Curve> curves, double tolerance) {
+  if (!std::all_of(curves.begin(), curves.end(), is_exact)) return fit(curves, tolerance).points;
+  std::vector<Points> result;
+  for (const Curve& curve : curves) result.push_back(elevate(curve));
+  return result;
+}
+
+std::vector<double> cubic_breaks(const Curve& curve, double tolerance) {
+  if (!is_exact(curve)) return fit({&curve, 1}, tolerance).breaks;
+  std::vector<double> breaks;
+  for (const Curve& segment : bezier_segments(curve)) breaks.push_back(segment.domain().lo);
+  breaks.push_back(curve.domain().hi);
+  return breaks;
 }
 
 }  // namespace v0

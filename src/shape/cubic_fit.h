@@ -16,5 +16,8 @@ inline namespace v0 {
 /// cubics of two curves is the same as taking the cubics of their blend.
 [[nodiscard]] std::vector<Points> cubic_control_points(std::span<const Curve> curves, double tolerance);
 
+/// The parameters of the curve at which the segments of to_cubic_path(curve, tolerance) begin, and its end.
+[[nodiscard]] std::vector<double> cubic_breaks(const Curve& curve, double tolerance);
+
 }  // namespace v0
 }  // namespace tandem

@@ -33,8 +33,10 @@ wrong 'takes 2 or more' morph "$square" -o out.svg
 wrong 'takes 1 curve or shape, not 0' info
 wrong 'only once' match - -
 
-wrong 'segments is not available yet' match "$square" "$triangle" --method segments
-wrong 'one of elastic, paper, not' match "$square" "$triangle" --method Paper
+wrong '--samples does not go with --method segments' match "$square" "$triangle" --method segments --samples 50
+wrong '--norm does not go with --method segments' match "$square" "$triangle" --method segments --norm ruled
+wrong '--closed pinned does not go with --method segments' match "$square" "$triangle" --method segments --closed pinned
+wrong 'one of elastic, paper, segments, not' match "$square" "$triangle" --method Paper
 wrong 'one of tangent, ruled, distance, bottleneck, not' match "$square" "$triangle" --norm angle
 wrong '--samples takes a whole number' match "$square" "$triangle" --samples 1
 wrong '--samples' match "$square" "$triangle" --samples 99999999999999999999

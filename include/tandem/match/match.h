@@ -21,8 +21,9 @@ namespace tandem {
 inline namespace v0 {
 
 enum class Method {
-  elastic,  ///< integrated costs, steps up to six, nodes in arc length (spec, "The better formulation")
-  paper,    ///< [C] as printed: three steps, node sums, uniform parameters
+  elastic,   ///< integrated costs, steps up to six, nodes in arc length (spec, "The better formulation")
+  paper,     ///< [C] as printed: three steps, node sums, uniform parameters
+  segments,  ///< [D]: the curves' own cubic segments against each other, see match_segments()
 };
 
 enum class Direction { automatic, forward, reversed };
@@ -38,6 +39,9 @@ enum class ClosedMode {
 
 /// Options with the defaults of the command line. An empty optional means: the method's default.
 struct MatchOptions {
+  /// `segments` takes the curves as cubic paths (exact to degree 3, else within 1e-6 of their size). Norm,
+  /// sampling, features, low pass and coarse_to_fine mean nothing to it; a turn that is looked for is the
+  /// elastic method's.
   Method method = Method::elastic;
   Norm norm = NormKind::tangent;
   /// Nodes per curve; 0: 128 for closed curves and 100 for open ones (paper: 100).
@@ -65,11 +69,11 @@ struct MatchOptions {
 /// What was found and how good it is; the fields of `tandem match --json` (docs/interface.md).
 struct MatchReport {
   Method method = Method::elastic;
-  std::string norm;  ///< "tangent", "ruled", "distance", "bottleneck" or "user"
+  std::string norm;  ///< "tangent", "ruled", "distance", "bottleneck" or "user"; segments: "derivative"
   Sampling sampling = Sampling::arc;
-  std::array<int, 2> samples = {0, 0};  ///< the real number of nodes
-  double cost = 0.0;            ///< paper: [C] eq. (7) with 2m per invalid node; elastic: the integral
-  double mean_cost = 0.0;       ///< per path node (paper) or per unit of length (elastic)
+  std::array<int, 2> samples = {0, 0};  ///< the real number of nodes; segments: of joints
+  double cost = 0.0;  ///< paper: [C] eq. (7) with 2m per invalid node; elastic: the integral; segments: D5
+  double mean_cost = 0.0;       ///< per path node (paper), per unit of length (elastic), per pair of segments
   int invalid_nodes = 0;        ///< the programme's own test, at the path's nodes
   double invalid_length = 0.0;  ///< the same as a share of the length
   Validity validity;            ///< on the final curves, after the fit
