@@ -16,6 +16,7 @@
 #include <string>
 #include <vector>
 
+#include "segment_figures.h"
 #include "sheet.h"
 #include "tandem/io/files.h"
 #include "tandem/io/load.h"
@@ -158,9 +159,10 @@ int main(int argc, char** argv) {
   }
   const std::string folder = argv[argc - 1];
   try {
-    const std::map<std::string, std::string> pictures = {
+    std::map<std::string, std::string> pictures = {
         {"front-page.svg", front_page()}, {"figure-5.svg", figure_5()},   {"figure-6.svg", figure_6()},
         {"figure-9.svg", figure_9()},     {"figure-12.svg", figure_12()}, {"turn.svg", turn()}};
+    pictures.merge(figures::segment_figures());
     int differ = 0;
     for (const auto& [name, svg] : pictures) {
       const std::string path = fmt::format("{}/{}", folder, name);
