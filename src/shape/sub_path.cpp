@@ -1,5 +1,6 @@
 #include "shape/sub_path.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>

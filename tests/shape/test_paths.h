@@ -2,7 +2,7 @@
 
 #include <rapidcheck.h>
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <numbers>

@@ -35,7 +35,8 @@ struct NestedContour {
 ///
 /// A contour lies in a larger one (by enclosed area; of equal ones in the earlier) that winds around more
 /// than half of some hundred points inside it: contours may touch each other, and slightly cross. Of contours
-/// that wind round themselves the nonzero region counts. Open ones lie in none and hold none.
+/// that wind round themselves the nonzero region counts. Open ones lie in none and hold none;
+/// those that a fill would close, as SVG's does, have to be closed before.
 /// @throws InvalidArgument a path is not planar
 [[nodiscard]] TANDEM_EXPORT std::vector<NestedContour> find_nesting(std::span<const CubicPath> paths,
                                                                     FillRule fill_rule);
