@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "shape/trigonometry.h"
@@ -16,10 +17,13 @@ namespace {
 
 using Paths = std::vector<CubicPath>;
 
-constexpr int kMostHalvings = 10;
-// Places between two frames at which the blend is compared. One alone, in the middle, would take a motion for
-// linear that swings to one side first and then to the other.
-constexpr std::size_t kProbes = 7;
+// Of the way from key to key: frames are no nearer to each other.
+constexpr double kLeastStep = 1.0 / 1024.0;
+// A step is found within this share of it: few frames more than the fewest, for few looks at the motion.
+constexpr double kStepAccuracy = 1.0 / 16.0;
+// Places between two frames at which the blend is compared: the middle first, where most blends are farthest
+// off. It alone would take a motion for linear that swings to one side first and then to the other.
+constexpr std::array<double, 7> kProbes = {0.5, 0.25, 0.75, 0.375, 0.625, 0.125, 0.875};
 // In-betweens per pair of keys that the box of a motion is taken from beside its frames.
 constexpr std::size_t kBoxSamples = 16;
 
@@ -56,33 +60,59 @@ double blend_error(const Frame& a, const Frame& b, const Frame& between) {
 }
 
 /// Frames of a motion; `tolerance` and `error` are absolute.
-class Halving {
+class Stepping {
  public:
-  Halving(const Motion& motion, double tolerance) : motion_(motion), tolerance_(tolerance) {}
+  Stepping(const Motion& motion, double tolerance) : motion_(motion), tolerance_(tolerance) {}
 
-  /// Appends what is needed behind `first`, up to and with `last`.
-  void refine(const Frame& first, const Frame& last, int halvings, std::vector<Frame>& frames) {
-    std::array<Frame, kProbes> probes;
-    double error = 0.0;
-    for (std::size_t i = 0; i < kProbes; ++i) {
-      const double share = static_cast<double>(i + 1) / static_cast<double>(kProbes + 1);
-      const double s = (1.0 - share) * first.s + share * last.s;
-      probes[i] = {s, motion_(s)};
-      check_same_segments(first.paths, probes[i].paths, s);
-      error = std::max(error, blend_error(first, last, probes[i]));
+  /// Appends what is needed behind the last of `frames`, up to and with the key `last`.
+  void go_on(const Frame& last, std::vector<Frame>& frames) {
+    const double least = kLeastStep * (last.s - frames.back().s);
+    while (!fits(frames.back(), last) && last.s - frames.back().s > least) {
+      append(farthest(frames.back(), last.s, least), frames);
     }
-    if (error <= tolerance_ || halvings == kMostHalvings) {
-      error_ = std::max(error_, error);
-      frames.push_back(last);
-      return;
-    }
-    const Frame middle = std::move(probes[kProbes / 2]);
-    refine(first, middle, halvings + 1, frames);
-    refine(middle, last, halvings + 1, frames);
+    append(last, frames);
   }
   [[nodiscard]] double error() const noexcept { return error_; }
 
  private:
+  [[nodiscard]] Frame frame_at(double s, const Frame& like) const {
+    Frame frame{s, motion_(s)};
+    check_same_segments(like.paths, frame.paths, s);
+    return frame;
+  }
+
+  [[nodiscard]] double error_at(const Frame& a, const Frame& b, double share) const {
+    return blend_error(a, b, frame_at((1.0 - share) * a.s + share * b.s, a));
+  }
+
+  [[nodiscard]] bool fits(const Frame& a, const Frame& b) const {
+    return std::all_of(kProbes.begin(), kProbes.end(),
+                       [&](double share) { return error_at(a, b, share) <= tolerance_; });
+  }
+
+  /// The farthest frame up to which a blend fits, before `end`, up to which none does.
+  [[nodiscard]] Frame farthest(const Frame& from, double end, double least) const {
+    double lo = least;
+    double hi = end - from.s;
+    std::optional<Frame> found;
+    while (hi > (1.0 + kStepAccuracy) * lo) {
+      const double step = std::sqrt(lo * hi);
+      Frame to = frame_at(from.s + step, from);
+      if (fits(from, to)) {
+        lo = step;
+        found = std::move(to);
+      } else {
+        hi = step;
+      }
+    }
+    return found ? *std::move(found) : frame_at(from.s + least, from);
+  }
+
+  void append(Frame frame, std::vector<Frame>& frames) {
+    for (const double share : kProbes) error_ = std::max(error_, error_at(frames.back(), frame, share));
+    frames.push_back(std::move(frame));
+  }
+
   const Motion& motion_;
   double tolerance_;
   double error_ = 0.0;
@@ -103,22 +133,22 @@ void check(std::span<const double> key_times, const KeyFrameOptions& options) {
 }
 
 /// keys: the motion at the key times. The tolerance is a share of `box`.
-KeyFrames halve(const Motion& motion, std::span<const double> key_times, std::span<const Paths> keys, Box box,
-                double tolerance) {
+KeyFrames step_through(const Motion& motion, std::span<const double> key_times, std::span<const Paths> keys,
+                       Box box, double tolerance) {
   const double diagonal = box.diagonal();
-  Halving halving(motion, tolerance * diagonal);
+  Stepping stepping(motion, tolerance * diagonal);
   std::vector<Frame> frames{{key_times.front(), keys.front()}};
   KeyFrames result;
   result.keys.push_back(0);
   for (std::size_t key = 0; key + 1 < key_times.size(); ++key) {
-    halving.refine({key_times[key], keys[key]}, {key_times[key + 1], keys[key + 1]}, 0, frames);
+    stepping.go_on({key_times[key + 1], keys[key + 1]}, frames);
     result.keys.push_back(frames.size() - 1);
   }
   for (Frame& frame : frames) {
     result.times.push_back(frame.s);
     result.paths.push_back(std::move(frame.paths));
   }
-  result.max_error = diagonal > 0.0 ? halving.error() / diagonal : 0.0;
+  result.max_error = diagonal > 0.0 ? stepping.error() / diagonal : 0.0;
   result.box = std::move(box);
   return result;
 }
@@ -170,7 +200,7 @@ KeyFrames key_frames(const PathMorph& morph, const KeyFrameOptions& options) {
     Paths& paths = keys.emplace_back();
     for (const PathContour& contour : morph.contours()) paths.push_back(contour.keys[key]);
   }
-  KeyFrames result = halve(motion, key_times, keys, morph.box(), options.tolerance);
+  KeyFrames result = step_through(motion, key_times, keys, morph.box(), options.tolerance);
   result.fill_rule = morph.fill_rule();
   for (const PathContour& contour : morph.contours()) result.lines.push_back(contour.lines);
   if (in_frame) {
@@ -196,7 +226,7 @@ KeyFrames key_frames(const Motion& motion, std::span<const double> key_times,
       include(motion((1.0 - share) * key_times[key - 1] + share * key_times[key]));
     }
   }
-  return halve(motion, key_times, keys, std::move(box), options.tolerance);
+  return step_through(motion, key_times, keys, std::move(box), options.tolerance);
 }
 
 }  // namespace v0

@@ -44,7 +44,7 @@ struct KeyFrameOptions {
   bool bake_turn = true;
 };
 
-/// Halves the way from key to key until linear blends are within the tolerance.
+/// Goes from each key to the next in steps as long as linear blends stay within the tolerance.
 /// @throws InvalidArgument tolerance <= 0
 [[nodiscard]] TANDEM_EXPORT KeyFrames key_frames(const PathMorph& morph, const KeyFrameOptions& options = {});
 
