@@ -68,11 +68,17 @@ OutlineData outline_of(std::span<const CubicPath* const> paths, const Canvas& ca
   return data;
 }
 
-bool is_point(const OutlineData& data) {
+// In FreeType's units, in which it would stroke it.
+bool is_point(const CubicPath& path, const Canvas& canvas) {
+  const CubicPath* const one[] = {&path};
+  const OutlineData data = outline_of(one, canvas);
   return std::all_of(data.points.begin(), data.points.end(), [&](const FT_Vector& p) {
     return p.x == data.points.front().x && p.y == data.points.front().y;
   });
 }
+
+// Of lines that are stroked together: their borders have several times as many.
+constexpr std::size_t kStrokedPoints = 4096;
 
 }  // namespace
 
@@ -114,12 +120,10 @@ struct Rasterizer::Impl {
     return raster;
   }
 
-  [[nodiscard]] Raster stroke(const CubicPath& path) const {
-    const CubicPath* const one[] = {&path};
-    OutlineData data = outline_of(one, canvas);
-    if (is_point(data)) data = {};  // butt caps: nothing is drawn
+  /// Lines as one stroked path: where they overlap, they cover as much as one.
+  [[nodiscard]] Raster stroke(std::span<const CubicPath* const> paths) const {
+    OutlineData data = outline_of(paths, canvas);
     FT_Outline line = data.outline(FT_OUTLINE_NONE);
-    if (data.points.empty()) return render(line);
     check(FT_Stroker_ParseOutline(stroker, &line, 1), "stroke the outline");
     FT_UInt points = 0;
     FT_UInt contours = 0;
@@ -155,15 +159,27 @@ Raster Rasterizer::draw(std::span<const CubicPath> paths) const {
   FT_Outline filled =
       data.outline(impl_->fill_rule == FillRule::evenodd ? FT_OUTLINE_EVEN_ODD_FILL : FT_OUTLINE_NONE);
   Raster raster = impl_->render(filled);
-  for (const CubicPath& path : paths) {
-    if (path.is_closed()) continue;
-    const Raster line = impl_->stroke(path);
-    for (std::size_t i = 0; i < line.coverage.size(); ++i) {
+  std::vector<const CubicPath*> lines;
+  std::size_t points = 0;
+  const auto draw_lines = [&] {
+    if (lines.empty()) return;
+    const Raster drawn = impl_->stroke(lines);
+    for (std::size_t i = 0; i < drawn.coverage.size(); ++i) {
       const int under = raster.coverage[i];
-      const int over = line.coverage[i];
+      const int over = drawn.coverage[i];
       raster.coverage[i] = static_cast<std::uint8_t>(under + over - (under * over + 127) / 255);
     }
+    lines.clear();
+    points = 0;
+  };
+  for (const CubicPath& path : paths) {
+    // Butt caps: a line that has shrunk to a point draws nothing.
+    if (path.is_closed() || is_point(path, impl_->canvas)) continue;
+    if (points + path.control_points().size() > kStrokedPoints) draw_lines();
+    lines.push_back(&path);
+    points += path.control_points().size();
   }
+  draw_lines();
   return raster;
 }
 

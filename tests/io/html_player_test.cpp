@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "io/morphs.h"
 #include "tandem/error.h"
 #include "tandem/io/path_data.h"
 #include "tandem/io/svg.h"
@@ -25,7 +26,7 @@ PathMorph some_morph() {
   }
   MorphOptions options;
   options.match.samples = {24, 24};  // how good the match is does not matter here
-  return PathMorph(Morph(keys, options));
+  return test::path_morph(keys, options);
 }
 
 std::string between(const std::string& text, const std::string& before, const std::string& after) {
@@ -71,7 +72,7 @@ TEST(HtmlPlayer, HoldsThePosesOfATurningFrame) {
   EXPECT_FALSE(data_of(some_morph()).contains("poses"));
   const Shape key = to_shape(parse_path_data("M0 0H9V2H3V5H0Z", "key", false));
   const std::vector<Shape> keys{key, to_shape(parse_path_data("M0 0V9H-2V3H-5V0Z", "turned", false))};
-  const nlohmann::json data = data_of(PathMorph(Morph(keys)));
+  const nlohmann::json data = data_of(test::path_morph(keys));
   ASSERT_EQ(data["poses"].size(), 2u);
   EXPECT_EQ(data["poses"][0][2], 0);
   EXPECT_NEAR(data["poses"][1][2], 90.0, 1e-5);

@@ -8,13 +8,17 @@
 
 namespace tandem::test {
 
+inline PathMorph path_morph(const std::vector<Shape>& keys, const MorphOptions& options = {}) {
+  return PathMorph(Morph(keys, options));
+}
+
 /// A morph of path data; few nodes, for tests in which it does not matter how good the match is.
 inline PathMorph morph_of(const std::vector<std::string>& keys, FillRule fill_rule = FillRule::nonzero) {
   std::vector<Shape> shapes;
   for (const std::string& key : keys) shapes.push_back(load_shape(key, {.fill_rule = fill_rule}));
   MorphOptions options;
   options.match.samples = {24, 24};
-  return PathMorph(Morph(shapes, options));
+  return path_morph(shapes, options);
 }
 
 inline PathMorph box_to_disc() {

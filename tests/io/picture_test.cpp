@@ -73,7 +73,12 @@ TEST(Raster, StrokesOpenLines) {
   EXPECT_NEAR(area(drawn("M1 1H6V6")), 2 * 0.5 * 4.75 + corner, 0.02);
   // Lines add up to no more than full coverage, over shapes as well.
   EXPECT_NEAR(area(drawn("M1 5H9M1 5H9", FillRule::nonzero, 0.4)), 3.2, 0.02);
+  EXPECT_NEAR(area(drawn("M1 5H9M2 1V9M9 5H1", FillRule::nonzero, 0.4)), 6.4 - 0.16, 0.02);
   EXPECT_NEAR(area(drawn("M1 1H9V9H1ZM2 5H8")), 64.0, 1e-9);
+  // More of them than are stroked at once.
+  std::string many;
+  for (int i = 0; i < 3000; ++i) many += "M1 5H9";
+  EXPECT_NEAR(area(drawn(many + "M5 6V8", FillRule::nonzero, 0.4)), 4.0, 0.02);
   // What has shrunk to a point draws nothing.
   EXPECT_EQ(area(drawn("M5 5L5 5.000001")), 0.0);
 }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "io/morphs.h"
 #include "io/svg_parts.h"
 #include "tandem/error.h"
 #include "tandem/io/path_data.h"
@@ -32,7 +33,7 @@ PathMorph some_morph(std::size_t key_count = 2) {
   for (std::size_t i = 0; i < key_count; ++i) keys.push_back(outline(10.0 + 5.0 * static_cast<double>(i)));
   MorphOptions options;
   options.match.samples = {24, 24};  // how good the match is does not matter here
-  return PathMorph(Morph(keys, options));
+  return test::path_morph(keys, options);
 }
 
 pugi::xml_document parsed(const std::string& text) {
@@ -174,7 +175,7 @@ TEST(AnimatedSvg, TurnsTheFrame) {
   Shape turned = outline(10.0);
   for (Curve& curve : turned.contours) curve = transform(curve, Transform::rotate_degrees(60.0));
   const std::vector<Shape> keys{outline(10.0), turned};
-  const PathMorph morph{Morph(keys)};
+  const PathMorph morph = test::path_morph(keys);
   ASSERT_TRUE(morph.turns());
   const pugi::xml_document document =
       parsed(format_animated_svg(morph, {.duration = 1.0, .alternate = false}));

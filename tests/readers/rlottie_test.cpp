@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "io/morphs.h"
 #include "io/raster.h"
 #include "io/timeline.h"
 #include "tandem/io/load.h"
@@ -55,7 +56,7 @@ void expect_the_same(const std::vector<std::string>& names, const AnimationOptio
                      FillRule fill_rule = FillRule::nonzero) {
   std::vector<Shape> keys;
   for (const std::string& name : names) keys.push_back(load_shape(name, {.fill_rule = fill_rule}));
-  const PathMorph morph{Morph(keys)};
+  const PathMorph morph = test::path_morph(keys);
   const Played played = play(format_lottie(morph, names.front(), options, kSize));
   const View view = view_of(morph.box());
   const Canvas canvas = canvas_of(view, kSize);
