@@ -13,6 +13,7 @@ Rotation common_rotation(std::span<const Curve> a, std::span<const Curve> b, con
                          double least_gain) {
   MatchOptions options = given;
   if (options.method == Method::segments) options.method = Method::elastic;
+  options.pins.clear();  // of one pair, not of all
   if (a.empty() || a.size() != b.size()) {
     throw InvalidArgument("a common rotation needs pairs of curves; there are " + std::to_string(a.size()) +
                           " and " + std::to_string(b.size()));

@@ -30,9 +30,12 @@ double length_of(const Samples& s, std::size_t chord) {
   return std::max(s.chord_lengths[chord], kNoLength);
 }
 
-/// No step may go round a loop more than once.
+/// No step may go round a loop more than once; none is longer than both curves.
 int longest_step(const Samples& a, const Samples& b, const ElasticOptions& options) {
-  return std::min(options.longest_step, static_cast<int>(std::min(a.chords(), b.chords())));
+  std::size_t longest = std::max(a.chords(), b.chords());
+  if (a.cyclic) longest = std::min(longest, a.chords());
+  if (b.cyclic) longest = std::min(longest, b.chords());
+  return std::min(options.longest_step, static_cast<int>(longest));
 }
 
 int longest_of(const std::vector<Step>& steps) {

@@ -9,6 +9,7 @@
 #include "match/find_rotation.h"
 #include "match/make_report.h"
 #include "match/path_correspondence.h"
+#include "match/pins.h"
 #include "match/sample_pair.h"
 #include "match/search.h"
 #include "match/search_near.h"
@@ -30,6 +31,9 @@ using detail::SamplePair;
 using detail::SearchResult;
 
 constexpr int kPaperCoefficients = 20;
+
+/// Pins may ask for steeper reparametrisations than matching would find.
+constexpr double kPinnedSlope = 1e-6;
 
 class Stopwatch {
  public:
@@ -88,7 +92,11 @@ Optimum find_optimum(const Curve& a, const Curve& b, const SamplePair& samples, 
 ReductionOptions reduction_of(const MatchOptions& options) {
   if (options.reduction) return *options.reduction;
   ReductionOptions reduction;
-  if (options.method == Method::paper) reduction.coefficients = kPaperCoefficients;
+  if (!options.pins.empty()) {
+    reduction.min_slope = kPinnedSlope;
+  } else if (options.method == Method::paper) {
+    reduction.coefficients = kPaperCoefficients;
+  }
   return reduction;
 }
 
@@ -204,9 +212,10 @@ Match match_by_segments(const Curve& a, const Curve& b, MatchOptions options, La
 
 }  // namespace
 
-Match match(const Curve& a, const Curve& b, const MatchOptions& options) {
-  check_curves(a, b, options);
-  const Layout layout = detail::choose_layout(a, b, options.closed);
+Match match(const Curve& a, const Curve& b, const MatchOptions& given) {
+  check_curves(a, b, given);
+  const Layout layout = detail::choose_layout(a, b, given.closed);
+  const MatchOptions options = detail::settle_pins(a, b, given, layout);
   if (options.method == Method::segments) return match_by_segments(a, b, options, layout);
   Stopwatch watch;
   SamplePair samples = detail::sample_pair(a, b, options, layout, 1);
@@ -222,6 +231,11 @@ Match match(const Curve& a, const Curve& b, const MatchOptions& options) {
                           "; ask for more equal numbers of samples, or for none");
   }
   PathParameters path = parameters_of(samples, found, options, layout);
+  if (!options.pins.empty()) {
+    // The paper's paths stand still at corners, which would push the pins aside.
+    if (options.method == Method::paper) path.corners.clear();
+    detail::keep_pins(path, options.pins);
+  }
   MatchReport report = detail::make_report(samples.a, found, options, layout);
   report.rotation = best.rotation.values();
   report.seconds.sample = sample_seconds;

@@ -1,6 +1,8 @@
 #include "match/path_correspondence.h"
 
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 namespace tandem {
 inline namespace v0 {
@@ -127,6 +129,38 @@ PathParameters path_parameters(const Samples& a, const Samples& b, const std::ve
     result.corners.push_back(closed && u >= a.domain.hi ? u - a.period : u);
   }
   return result;
+}
+
+void keep_pins(PathParameters& path, const std::vector<ParameterPair>& pins) {
+  Correspondence& c = path.correspondence;
+  // Within this share of a domain two parameters are one; a cut moves them by roundings.
+  constexpr double kSameShare = 1e-12;
+  const auto same = [](double x, double y, const Interval& domain) {
+    const double gap = std::remainder(x - y, domain.length());
+    return std::fabs(gap) <= kSameShare * domain.length();
+  };
+  // An open curve's two ends are not the same: one is a remainder away from the other.
+  const auto at = [&](const ParameterPair& p, const ParameterPair& pin) {
+    return same(p.u, pin.u, c.domain_u) && same(p.v, pin.v, c.domain_v);
+  };
+  std::vector<ParameterPair> kept;
+  const std::size_t n = c.points.size();
+  for (std::size_t k = 0; k < n; ++k) {
+    const ParameterPair& point = c.points[k];
+    bool is_pin = false;
+    bool beside = false;
+    for (const ParameterPair& pin : pins) {
+      if (at(point, pin)) {
+        is_pin = true;
+        path.corners.push_back(c.closed && point.u >= c.domain_u.hi ? point.u - c.domain_u.length()
+                                                                    : point.u);
+      } else if (k > 0 && k + 1 < n) {
+        beside = beside || same(point.u, pin.u, c.domain_u) || same(point.v, pin.v, c.domain_v);
+      }
+    }
+    if (is_pin || !beside) kept.push_back(point);
+  }
+  c.points = std::move(kept);
 }
 
 }  // namespace detail

@@ -23,6 +23,10 @@ struct PathParameters {
                                              const std::vector<Node>& nodes, bool reversed, bool closed,
                                              bool elastic);
 
+/// Makes the pins corners, and drops the points that share one parameter with a pin: v(u) can then pass
+/// through the pin itself. The pins are points of the path, on loops some laps on.
+void keep_pins(PathParameters& path, const std::vector<ParameterPair>& pins);
+
 }  // namespace detail
 }  // namespace v0
 }  // namespace tandem

@@ -1,9 +1,13 @@
 #include "match/sample_pair.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <string>
+#include <vector>
 
+#include "match/pins.h"
+#include "tandem/curve/arc_length.h"
 #include "tandem/error.h"
 
 namespace tandem {
@@ -30,6 +34,85 @@ SampleOptions sample_options(const MatchOptions& options, int requested, bool cy
   s.corner_angle = options.corner_angle;
   s.low_pass = options.low_pass;
   return s;
+}
+
+/// Parameters of the nodes that pins want, in their own order and without the ends.
+std::vector<double> pinned_nodes(const std::vector<ParameterPair>& pins, double ParameterPair::*member,
+                                 const Curve& curve, bool cyclic) {
+  std::vector<double> nodes;
+  for (const ParameterPair& pin : pins) {
+    const double t = pin.*member;
+    if (cyclic || (t > curve.domain().lo && t < curve.domain().hi)) nodes.push_back(t);
+  }
+  return nodes;
+}
+
+void sort_once(std::vector<double>& nodes) {
+  std::sort(nodes.begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+}
+
+/// The length of a stretch of a curve from one parameter to another, on a loop past its end.
+struct Stretch {
+  double start;
+  double length;
+};
+
+Stretch stretch_of(const ArcLength& arc, const Interval& domain, const Interval& t) {
+  const double from = arc.length_to(t.lo);
+  if (t.hi < t.lo) return {from, arc.length() - from + arc.length_to(t.hi)};  // the two ends of an open curve
+  if (t.hi <= domain.hi) return {from, arc.length_to(t.hi) - from};
+  return {from, arc.length() - from + arc.length_to(t.hi - domain.length())};
+}
+
+void divide(std::vector<double>& nodes, const ArcLength& arc, const Stretch& stretch, double parts) {
+  for (double k = 1.0; k < parts; k += 1.0) {
+    const double s = stretch.start + stretch.length * k / parts;
+    nodes.push_back(arc.parameter_at(s < arc.length() ? s : s - arc.length()));
+  }
+}
+
+/// Nodes that leave a stretch no more than kLargestRatio times fewer chords than its partner has: the elastic
+/// steps could not bridge that. Chords are as long as the whole curve's number of samples makes them.
+void even_out(std::vector<double>& nodes, const ArcLength& arc, const Stretch& stretch, double own,
+              double other) {
+  const double wanted = std::ceil(other / 2.0);
+  if (own * static_cast<double>(kLargestRatio) <= other) divide(nodes, arc, stretch, wanted);
+}
+
+/// The nodes of both curves where pins want them.
+void add_pinned_nodes(const Curve& a, const Curve& b, const MatchOptions& options, Layout layout,
+                      SampleOptions& options_a, SampleOptions& options_b) {
+  options_a.nodes = pinned_nodes(options.pins, &ParameterPair::u, a, options_a.cyclic);
+  options_b.nodes = pinned_nodes(options.pins, &ParameterPair::v, b, options_b.cyclic);
+  const ArcLength arc_a(a);
+  const ArcLength arc_b(b);
+  if (layout == Layout::cut_a || layout == Layout::cut_b) {
+    // Room to cut the loop beyond the pins.
+    const PinnedStretch beyond =
+        stretches(options, layout, a.domain(), b.domain(), options.direction == Direction::reversed).back();
+    constexpr double kParts = 4.0;
+    if (layout == Layout::cut_a) {
+      divide(options_a.nodes, arc_a, stretch_of(arc_a, a.domain(), beyond.u), kParts);
+    } else {
+      divide(options_b.nodes, arc_b, stretch_of(arc_b, b.domain(), beyond.v), kParts);
+    }
+  }
+  if (options.method != Method::paper) {
+    for (const bool reversed : {false, true}) {
+      if (options.direction == (reversed ? Direction::forward : Direction::reversed)) continue;
+      for (const PinnedStretch& both : stretches(options, layout, a.domain(), b.domain(), reversed)) {
+        const Stretch on_a = stretch_of(arc_a, a.domain(), both.u);
+        const Stretch on_b = stretch_of(arc_b, b.domain(), both.v);
+        const double count_a = on_a.length / arc_a.length() * options_a.count;
+        const double count_b = on_b.length / arc_b.length() * options_b.count;
+        even_out(options_a.nodes, arc_a, on_a, count_a, count_b);
+        even_out(options_b.nodes, arc_b, on_b, count_b, count_a);
+      }
+    }
+  }
+  sort_once(options_a.nodes);
+  sort_once(options_b.nodes);
 }
 
 /// Errors say which of the two curves they are about.
@@ -72,8 +155,9 @@ SamplePair sample_pair(const Curve& a, const Curve& b, const MatchOptions& optio
   const bool cyclic_b = layout == Layout::toroidal || layout == Layout::cut_b || layout == Layout::pinned;
   SampleOptions options_a = sample_options(options, options.samples[0], cyclic_a, divisor);
   SampleOptions options_b = sample_options(options, options.samples[1], cyclic_b, divisor);
+  if (!options.pins.empty()) add_pinned_nodes(a, b, options, layout, options_a, options_b);
   SamplePair pair{sample_named("first", a, options_a), sample_named("second", b, options_b)};
-  if (options.method == Method::paper) return pair;
+  if (options.method == Method::paper || !options.pins.empty()) return pair;
   const auto too_few = [](const Samples& few, const Samples& many) {
     return few.chords() * kLargestRatio < many.chords();
   };

@@ -26,14 +26,30 @@ Curve scaled(const Curve& curve, double factor) {
   return Curve(curve.degree(), curve.knots(), std::move(points), curve.weights());
 }
 
+/// Both lists, which are increasing; where two are one but for rounding, that of the second.
+std::vector<double> merged(const std::vector<double>& x, const std::vector<double>& y,
+                           const Interval& domain) {
+  const double rounding = 1e-13 * domain.length();
+  std::vector<double> all = y;
+  for (double t : x) {
+    const auto next = std::lower_bound(y.begin(), y.end(), t);
+    const bool near =
+        (next != y.end() && *next - t <= rounding) || (next != y.begin() && t - *(next - 1) <= rounding);
+    if (!near) all.push_back(t);
+  }
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
 std::vector<PlacedNode> place_by_parameter(const Curve& curve, const SampleOptions& options) {
   const Interval domain = curve.domain();
   const int intervals = options.cyclic ? options.count : options.count - 1;
   std::vector<PlacedNode> nodes;
-  nodes.reserve(static_cast<std::size_t>(options.count));
+  std::vector<double> uniform;
   for (int i = 0; i < options.count; ++i) {
-    nodes.push_back({i == intervals ? domain.hi : domain.lo + domain.length() * i / intervals, 0.0});
+    uniform.push_back(i == intervals ? domain.hi : domain.lo + domain.length() * i / intervals);
   }
+  for (double t : merged(uniform, options.nodes, domain)) nodes.push_back({t, 0.0});
   return nodes;
 }
 
@@ -184,7 +200,7 @@ Samples sample(const Curve& original, const SampleOptions& options) {
     if (!(s.length > 0.0)) throw InvalidArgument("the curve has no length: it has no direction to match");
     const std::vector<double> corners =
         detail::find_corners(curve, options.corner_angle, options.cyclic, options.count);
-    nodes = detail::place_by_length(curve, arc, corners, options);
+    nodes = detail::place_by_length(curve, arc, merged(corners, options.nodes, curve.domain()), options);
   } else {
     nodes = place_by_parameter(curve, options);
   }

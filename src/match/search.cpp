@@ -8,9 +8,11 @@
 #include <utility>
 #include <vector>
 
+#include "match/candidates.h"
 #include "match/elastic_programme.h"
 #include "match/lexicographic.h"
 #include "match/parallel_for.h"
+#include "match/search_pinned.h"
 #include "tandem/error.h"
 #include "tandem/match/elastic.h"
 
@@ -22,33 +24,6 @@ namespace {
 
 /// Below this size of a table (pairs of nodes) threads cost more than they bring.
 constexpr std::size_t kWorthThreads = 4096;
-
-/// Reversed must beat forward by more than rounding, relative to the cost.
-constexpr double kTie = 1e-12;
-
-struct Candidate {
-  bool reversed = false;
-  RuledSign sign = RuledSign::product;
-};
-
-std::vector<Candidate> list_candidates(const Samples& a, const MatchOptions& options) {
-  std::vector<RuledSign> signs = {RuledSign::product};
-  const auto* kind = std::get_if<NormKind>(&options.norm);
-  if (kind != nullptr && *kind == NormKind::ruled && a.dim() == 2 && options.method != Method::paper) {
-    signs = {RuledSign::positive, RuledSign::negative};
-  }
-  std::vector<Candidate> candidates;
-  for (const bool reversed : {false, true}) {
-    if (options.direction == (reversed ? Direction::forward : Direction::reversed)) continue;
-    for (const RuledSign sign : signs) candidates.push_back({reversed, sign});
-  }
-  return candidates;
-}
-
-Aggregate aggregate_of(const Norm& norm) {
-  const auto* kind = std::get_if<NormKind>(&norm);
-  return kind != nullptr && *kind == NormKind::bottleneck ? Aggregate::maximum : Aggregate::sum;
-}
 
 Path swapped(Path path) {
   for (Node& node : path.nodes) std::swap(node.i, node.j);
@@ -165,12 +140,6 @@ class SharedProgress {
   bool cancelled_ = false;
 };
 
-bool clearly_better(const Path& x, const Path& y) {
-  if (y.nodes.empty()) return !x.nodes.empty();
-  if (x.nodes.empty() || x.invalid != y.invalid) return !x.nodes.empty() && x.invalid < y.invalid;
-  return x.cost < y.cost - kTie * y.cost;
-}
-
 /// Twice the area that the polygon of chords encloses, in units of the squared length; 0 outside the plane.
 double signed_area(const Samples& s) {
   if (s.dim() != 2) return 0.0;
@@ -198,7 +167,7 @@ class CandidateRuns {
         options_(options),
         layout_(layout),
         band_(band),
-        candidates_(list_candidates(a, options)),
+        candidates_(list_candidates(a.dim(), options)),
         paths_(candidates_.size()),
         progress_(options.progress, static_cast<int>(candidates_.size())) {
     for (const Candidate& c : candidates_) {
@@ -269,6 +238,7 @@ class CandidateRuns {
 
 SearchResult search(const Samples& a, const Samples& b, const MatchOptions& options, Layout layout,
                     const Band* band) {
+  if (!options.pins.empty()) return search_pinned(a, b, options, layout);
   CandidateRuns runs(a, b, options, layout, band);
   runs.run();
   SearchResult result = std::move(runs).best();

@@ -18,6 +18,7 @@ constexpr int kBandRadius = 2 * kCoarsening;
 
 SearchResult search_near(const SamplePair& coarse, const SamplePair& fine, MatchOptions options,
                          Layout layout) {
+  if (!options.pins.empty()) return search(fine.a, fine.b, options, layout);
   SearchResult found = search(coarse.a, coarse.b, options, layout);
   if (found.path.cancelled) return found;
   if (!found.path.nodes.empty()) {

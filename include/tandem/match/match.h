@@ -58,6 +58,12 @@ struct MatchOptions {
   /// The turn to match under instead of one that is looked for, in the form of MatchReport::rotation.
   std::vector<double> rotation = {};
   ClosedMode closed = ClosedMode::automatic;
+  /// Pairs of parameters (u of the first curve, v of the second) that the correspondence must go through, in
+  /// any order. Both curves get nodes there, and the match is the optimum among the paths through those.
+  /// Three pins on loops, or two on open curves, fix the direction. Not with ClosedMode::pinned, nor with
+  /// Method::segments, nor with a number of coefficients; `paper` reduces by tolerance then, and
+  /// coarse_to_fine means nothing.
+  std::vector<ParameterPair> pins = {};
   double corner_angle = 0.05;  ///< see SampleOptions
   double low_pass = 0.0;       ///< see SampleOptions
   bool coarse_to_fine =
@@ -111,7 +117,8 @@ struct Match {
 /// positions count; costs and validity are those of a against b turned back. The match is the exact optimum
 /// for that rotation. One that is looked for is a local optimum: the best that alternation of matching and
 /// Procrustes finds from the peaks of the cross-correlation of the tangents, and from the identity.
-/// @throws InvalidArgument the dimensions differ, a curve is a point, an open curve where ClosedMode wants
+/// @throws InvalidArgument pins outside the domains, or that no path runs through; the dimensions differ, a
+///         curve is a point, an open curve where ClosedMode wants
 /// closed
 ///         ones, samples whose ratio the elastic steps cannot bridge, a rotation that is none, or one with
 ///         the ruled norm, whose rulings join the curves where they lie

@@ -32,6 +32,8 @@ struct SampleOptions {
   /// Standard deviation of a Gaussian low-pass over the samples, as a share of the length; 0: none (spec
   /// C17).
   double low_pass = 0.0;
+  /// Parameters inside the domain, increasing, that get a node in any case.
+  std::vector<double> nodes = {};
 };
 
 /// Nodes on a curve with what the norms need: positions, one-sided tangents, lengths.
