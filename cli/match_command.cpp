@@ -8,6 +8,7 @@
 #include "match_sheet.h"
 #include "messages.h"
 #include "output.h"
+#include "pins.h"
 #include "progress_bar.h"
 #include "report.h"
 #include "tandem/error.h"
@@ -21,7 +22,9 @@ using tandem::Match;
 using tandem::MatchOptions;
 using tandem::Shape;
 
-std::vector<Match> match_contours(const Shape& a, const Shape& b, MatchOptions options, bool quiet) {
+/// pins: of each pair of contours.
+std::vector<Match> match_contours(const Shape& a, const Shape& b, MatchOptions options,
+                                  const std::vector<std::vector<tandem::ParameterPair>>& pins, bool quiet) {
   const InterruptibleScope interruptible;
   const std::size_t count = std::min(a.contours.size(), b.contours.size());
   std::vector<Match> matches;
@@ -36,6 +39,7 @@ std::vector<Match> match_contours(const Shape& a, const Shape& b, MatchOptions o
   }
   for (std::size_t i = 0; i < count; ++i) {
     options.progress = show_progress(quiet, i + before, count + before);
+    options.pins = pins[i];
     matches.push_back(tandem::match(a.contours[i], b.contours[i], options));
     throw_if_interrupted();
   }
@@ -59,7 +63,8 @@ Status run(const Command& command) {
       to_file ? output_format(command.output, command.to, {Format::json, Format::svg}) : Format::json;
   const Messages messages(command.common.quiet);
   const std::vector<Shape> shapes = load_inputs(command, 2, 2);
-  const std::vector<Match> matches = match_contours(shapes[0], shapes[1], options, messages.quiet());
+  const std::vector<Match> matches = match_contours(
+      shapes[0], shapes[1], options, locate_pins(command.match.pins, shapes[0], shapes[1]), messages.quiet());
   erase_progress_bar();
 
   const ShapeReport report = make_report(shapes[0].contours.size(), shapes[1].contours.size(),
@@ -89,6 +94,7 @@ void add_match_command(CLI::App& program, Command& command) {
   command.app->add_option("--to", command.to, "json, svg: whatever the ending of OUT")->type_name("FORMAT");
   add_common_flags(*command.app, command.common);
   add_match_flags(*command.app, command.match);
+  add_pin_flag(*command.app, command.match);
   command.run = run;
 }
 

@@ -102,9 +102,24 @@ void refuse_samples(const MatchFlags& flags) {
   refuse(!flags.low_pass.empty(), "--low-pass");
   refuse(flags.fast, "--fast");
   refuse(flags.closed == "pinned", "--closed pinned");
+  refuse(!flags.pins.empty(), "--pin");
+}
+
+/// What would not pass through pins.
+void refuse_free_ends(const MatchFlags& flags) {
+  if (flags.closed == "pinned") throw UsageError("--closed pinned does not go with --pin");
+  if (!flags.reduce.empty()) throw UsageError("--reduce does not go with --pin; there is --tolerance");
 }
 
 }  // namespace
+
+void add_pin_flag(CLI::App& command, MatchFlags& flags) {
+  command.add_option("--pin", flags.pins, "A point of A and one of B that belong together (may be repeated)")
+      ->type_name("X1,Y1=X2,Y2")
+      ->group("Matching")
+      ->expected(1)
+      ->take_all();
+}
 
 tandem::LoadOptions to_load_options(const CommonFlags& flags) {
   return {.fill_rule = choose<FillRule>("--fill-rule", flags.fill_rule,
@@ -117,6 +132,7 @@ MatchOptions to_match_options(const MatchFlags& flags) {
       "--method", flags.method,
       {{"elastic", Method::elastic}, {"paper", Method::paper}, {"segments", Method::segments}});
   if (options.method == Method::segments) refuse_samples(flags);
+  if (!flags.pins.empty()) refuse_free_ends(flags);
   options.norm = choose<NormKind>("--norm", flags.norm,
                                   {{"tangent", NormKind::tangent},
                                    {"ruled", NormKind::ruled},

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "tandem/io/load.h"
 #include "tandem/match/match.h"
@@ -33,10 +34,12 @@ struct MatchFlags {
   bool fast = false;
   std::optional<bool> rotate;  ///< nothing: the command's default
   bool strict = false;
+  std::vector<std::string> pins;  ///< of match only; see pins.h
 };
 
 void add_common_flags(CLI::App& command, CommonFlags& flags);
 void add_match_flags(CLI::App& command, MatchFlags& flags);
+void add_pin_flag(CLI::App& command, MatchFlags& flags);
 
 /// @throws UsageError a value that does not exist
 [[nodiscard]] tandem::LoadOptions to_load_options(const CommonFlags& flags);

@@ -9,6 +9,7 @@
 #include "tandem/curve/curve.h"
 #include "tandem/curve/edit.h"
 #include "tandem/curve/knots.h"
+#include "tandem/curve/nearest_point.h"
 #include "tandem/curve/points.h"
 #include "tandem/error.h"
 #include "tandem/match/match.h"

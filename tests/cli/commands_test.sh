@@ -41,6 +41,16 @@ for options in '--method paper' '--norm ruled' '--norm distance' '--norm bottlen
   out_has '"cost"'
   err_empty
 done
+# Pins: the square's corner at (4,4) is at u = 2, the triangle's lower left one at v = 2.
+expect 0 match "$square" "$triangle" --pin '4,4=0,4' --pin '0,0=4.1,4.1' --json --quiet
+out_has '\[0, 1\].*\[2, -1\]' # once round, v falls by 3
+expect 0 match "$square" "$triangle" --pin '4,4=0,4' --method paper --direction forward --json --quiet
+out_has '\[2, 2\]'
+expect 3 match "$square" "$triangle" --pin '4,4=0,4' --pin '4,4=4,4'
+err_has 'cross'
+expect 0 match "$square" "$triangle" --method segments --json --quiet
+out_has '"norm": ?"derivative"'
+
 expect 0 match "$square" "$triangle" --samples 40,50 --json --quiet
 out_has '"samples": ?\[(39|40|41), ?(49|50|51)\]' # corners decide the rest
 expect 0 match "$square" "$triangle" --method paper --json --quiet

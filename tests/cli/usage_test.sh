@@ -26,7 +26,13 @@ wrong 'no option --versoin; did you mean --version' --versoin
 wrong 'match has no option --metod; did you mean --method' match "$square" "$triangle" --metod paper
 wrong 'did you mean --samples' match --sample=20 "$square" "$triangle"
 wrong 'no option -x' match "$square" "$triangle" -x
-wrong '--pin is not available yet' match "$square" "$triangle" --pin '0,0=1,1'
+wrong '--pin is not available yet' morph "$square" "$triangle" -o out.svg --pin '0,0=1,1'
+wrong '--pin takes x1,y1=x2,y2' match "$square" "$triangle" --pin '0,0'
+wrong '--pin takes x1,y1=x2,y2' match "$square" "$triangle" --pin '0,0,0=1,1'
+wrong '--pin' match "$square" "$triangle" --pin '0,x=1,1'
+wrong '--pin does not go with --method segments' match "$square" "$triangle" --pin '0,0=2,0' --method segments
+wrong '--reduce does not go with --pin' match "$square" "$triangle" --pin '0,0=2,0' --reduce 20
+wrong '--closed pinned does not go with --pin' match "$square" "$triangle" --pin '0,0=2,0' --closed pinned
 wrong 'takes 2 curves or shapes, not 1' match "$square"
 wrong 'takes 2 curves or shapes, not 3' match "$square" "$square" "$square"
 wrong 'takes 2 or more' morph "$square" -o out.svg

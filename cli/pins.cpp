@@ -1,0 +1,54 @@
+#include "pins.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+
+#include "tandem/curve/nearest_point.h"
+#include "tandem/error.h"
+#include "values.h"
+
+namespace cli {
+namespace {
+
+using tandem::NearestPoint;
+using tandem::ParameterPair;
+using tandem::Point;
+
+Point parse_point(const std::string& text, const std::string& pin) {
+  const std::vector<std::string> parts = split_list("--pin", text);
+  if (parts.size() != 2) throw UsageError("--pin takes x1,y1=x2,y2, not '" + pin + "'");
+  return {parse_number("--pin", parts[0]), parse_number("--pin", parts[1])};
+}
+
+}  // namespace
+
+std::vector<std::vector<ParameterPair>> locate_pins(const std::vector<std::string>& pins,
+                                                    const tandem::Shape& a, const tandem::Shape& b) {
+  const std::size_t count = std::min(a.contours.size(), b.contours.size());
+  std::vector<std::vector<ParameterPair>> located(count);
+  for (const std::string& pin : pins) {
+    const std::size_t equals = pin.find('=');
+    if (equals == std::string::npos || pin.find('=', equals + 1) != std::string::npos) {
+      throw UsageError("--pin takes x1,y1=x2,y2, not '" + pin + "'");
+    }
+    const Point on_a = parse_point(pin.substr(0, equals), pin);
+    const Point on_b = parse_point(pin.substr(equals + 1), pin);
+    if (count == 0) throw tandem::InvalidArgument("--pin " + pin + ": there are no contours to pin");
+    double least = std::numeric_limits<double>::infinity();
+    std::size_t pair = 0;
+    ParameterPair nearest;
+    for (std::size_t i = 0; i < count; ++i) {
+      const NearestPoint u = tandem::nearest_point(a.contours[i], on_a);
+      const NearestPoint v = tandem::nearest_point(b.contours[i], on_b);
+      if (i > 0 && !(u.distance + v.distance < least)) continue;
+      least = u.distance + v.distance;
+      pair = i;
+      nearest = {u.parameter, v.parameter};
+    }
+    located[pair].push_back(nearest);
+  }
+  return located;
+}
+
+}  // namespace cli
