@@ -65,6 +65,7 @@ Stretch stretch_of(const ArcLength& arc, const Interval& domain, const Interval&
   return {from, arc.length() - from + arc.length_to(t.hi - domain.length())};
 }
 
+/// Nodes that divide a stretch into equal parts.
 void divide(std::vector<double>& nodes, const ArcLength& arc, const Stretch& stretch, double parts) {
   for (double k = 1.0; k < parts; k += 1.0) {
     const double s = stretch.start + stretch.length * k / parts;

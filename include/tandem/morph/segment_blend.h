@@ -37,7 +37,7 @@ class TANDEM_EXPORT HermiteBlend {
 
   /// Writes the control points at s, point after point as in Points::data(); a's at s = 0 and b's at s = 1,
   /// up to rounding. Other finite s extrapolate: handles shrink to nothing then, and do not turn over.
-  /// Neither allocates nor locks.
+  /// Allocates nothing.
   /// @throws InvalidArgument points.size() is not dim() * (3 * segment_count() + 1)
   void at(double s, std::span<double> points) const;
   [[nodiscard]] CubicPath at(double s) const;
