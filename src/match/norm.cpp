@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "match/vector.h"
@@ -104,6 +106,45 @@ void add_curvature(NodeTable& table, const Sites& a, const Sites& b, const Featu
   }
 }
 
+/// The sites relative to the curve's centre (the mean over its chords' lengths), in units of the radius of
+/// gyration about it.
+Points normalized(Points points, const Samples& s) {
+  const auto dim = static_cast<std::size_t>(points.dim());
+  // Halves, so that the difference of two huge coordinates stays finite.
+  Point center(dim, 0.0);
+  for (std::size_t k = 0; k < s.chords(); ++k) {
+    const auto from = s.positions[k];
+    const auto to = s.positions[(k + 1) % s.size()];
+    for (std::size_t c = 0; c < dim; ++c) center[c] += s.chord_lengths[k] * (0.25 * from[c] + 0.25 * to[c]);
+  }
+  double largest = 0.0;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    for (std::size_t c = 0; c < dim; ++c) points[k][c] = 0.5 * points[k][c] - center[c];
+    largest = std::max(largest, detail::largest(points[k]));
+  }
+  if (!(largest > 0.0)) return points;
+  for (double& x : points.data()) x /= largest;
+  double sum = 0.0;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const double length = s.chord_lengths[std::min(k, s.chords() - 1)];
+    sum += length * dot(points[k], points[k]);
+  }
+  const double radius = std::sqrt(sum);
+  for (double& x : points.data()) x /= radius;
+  return points;
+}
+
+void add_positions(NodeTable& table, const Points& a, const Points& b, double weight) {
+  std::size_t k = 0;
+  for (std::size_t i = 0; i < table.rows; ++i) {
+    for (std::size_t j = 0; j < table.cols; ++j, ++k) {
+      double sum = 0.0;
+      for (std::size_t c = 0; c < a[i].size(); ++c) sum += (a[i][c] - b[j][c]) * (a[i][c] - b[j][c]);
+      table.cost[k] += weight * sum;
+    }
+  }
+}
+
 /// Fills a table from value(i, j), which returns a NormValue.
 template <class Value>
 NodeTable fill_table(const Sites& a, const Sites& b, const FeatureOptions& features, const Value& value) {
@@ -196,7 +237,7 @@ NodeTable user_table(const Sites& a, const Sites& b, const UserNorm& norm, const
   });
 }
 
-NodeTable make_table(const Sites& a, const Sites& b, const Norm& norm, const TableOptions& options) {
+NodeTable norm_table(const Sites& a, const Sites& b, const Norm& norm, const TableOptions& options) {
   if (a.tangents->dim() != b.tangents->dim()) {
     throw InvalidArgument("the curves have different dimensions: " + std::to_string(a.tangents->dim()) +
                           " and " + std::to_string(b.tangents->dim()));
@@ -214,11 +255,22 @@ NodeTable make_table(const Sites& a, const Sites& b, const Norm& norm, const Tab
   return tangent_table(a, b, options);
 }
 
+NodeTable make_table(const Samples& a, const Samples& b, Sites sites_a, Sites sites_b, const Norm& norm,
+                     const TableOptions& options) {
+  NodeTable table = norm_table(sites_a, sites_b, norm, options);
+  if (options.features.position_weight > 0.0) {
+    add_positions(table, normalized(std::move(sites_a.points), a), normalized(std::move(sites_b.points), b),
+                  options.features.position_weight);
+  }
+  if (options.features.lenient) std::fill(table.invalid.begin(), table.invalid.end(), std::uint8_t{0});
+  return table;
+}
+
 }  // namespace
 
 NodeTable node_costs(const Samples& a, const Samples& b, const Norm& norm, const FeatureOptions& features,
                      RuledSign sign) {
-  NodeTable table = make_table(node_sites(a), node_sites(b), norm, {0.0, 1.0, sign, features});
+  NodeTable table = make_table(a, b, node_sites(a), node_sites(b), norm, {0.0, 1.0, sign, features});
   for (std::size_t k = 0; k < table.cost.size(); ++k)
     table.cost[k] = table.invalid[k] != 0 ? 0.0 : table.cost[k];
   return table;
@@ -227,7 +279,7 @@ NodeTable node_costs(const Samples& a, const Samples& b, const Norm& norm, const
 NodeTable chord_costs(const Samples& a, const Samples& b, const Norm& norm, const FeatureOptions& features,
                       RuledSign sign) {
   const double unit = 0.5 * a.length + 0.5 * b.length;
-  return make_table(chord_sites(a), chord_sites(b), norm, {kElasticInvalid, unit, sign, features});
+  return make_table(a, b, chord_sites(a), chord_sites(b), norm, {kElasticInvalid, unit, sign, features});
 }
 
 }  // namespace v0

@@ -41,10 +41,15 @@ using Norm = std::variant<NormKind, UserNorm>;
 /// One global orientation of the signed ruled test (spec C13): both products must have this sign.
 enum class RuledSign { product, positive, negative };
 
-/// A second feature beside the norm (spec C17).
+/// Features beside the norm (spec C17), and how strictly its validity is taken.
 struct FeatureOptions {
   bool curvature = false;          ///< add the difference of the curvatures to the cost
   double curvature_weight = 0.25;  ///< its weight; the difference itself lies in [0,1]
+  /// Weight of |p1 - p2|^2, the positions relative to each curve's centre and in units of its radius of
+  /// gyration: parts that lie alike are drawn to each other. 0: positions do not count.
+  double position_weight = 0.0;
+  /// No pair is invalid: what is turned away only costs what it costs.
+  bool lenient = false;
 };
 
 /// Costs 1 - <T1,T2> (or the norm's) of all pairs of nodes, for the paper's programme: nodes(a) x nodes(b).
