@@ -47,6 +47,7 @@ Status run(const Command& command) {
   options.match = to_match_options(command.match);
   // Number by number, nothing turns; the match alone may.
   options.match.rotate = options.match.rotate.value_or(false);
+  options.blend = tandem::BlendKind::affine;
   const int precision =
       command.precision.empty() ? -1 : parse_count("--precision", command.precision, 0, kMostDecimals);
   const Messages messages(command.common.quiet);
@@ -57,7 +58,7 @@ Status run(const Command& command) {
   }
   const MorphRun made = run_morph(command, keys, options, messages, false);
   if (made.status != kDone) return made.status;
-  const std::string reports = format_reports(made.reports);
+  const std::string reports = format_reports(made);
   write_output(command.output, format == Format::svg ? tandem::format_keys_svg(*made.paths, precision)
                                                      : format_json(*made.paths, precision, reports));
   if (command.common.json && command.output != "-") write_output("-", "{" + reports + "}\n");

@@ -15,6 +15,7 @@
 namespace cli {
 namespace {
 
+using tandem::BlendKind;
 using tandem::Shape;
 
 /// What the options ask for, checked before anything is read.
@@ -27,9 +28,14 @@ Plan make_plan(const Command& command) {
   Plan plan;
   plan.output = plan_morph_output(command);
   plan.morph.match = to_match_options(command.match);
-  [[maybe_unused]] const bool affine =
-      choose<bool>("--blend", command.blend, {{"auto", true}, {"affine", true}},
-                   {"hermite", "bezier", "similarity", "intrinsic", "detour"});
+  plan.morph.blend = choose<BlendKind>("--blend", command.blend,
+                                       {{"auto", BlendKind::automatic},
+                                        {"affine", BlendKind::affine},
+                                        {"bezier", BlendKind::bezier},
+                                        {"hermite", BlendKind::hermite},
+                                        {"similarity", BlendKind::similarity},
+                                        {"intrinsic", BlendKind::intrinsic},
+                                        {"detour", BlendKind::detour}});
   return plan;
 }
 
@@ -44,7 +50,7 @@ Status run(const Command& command) {
   }
   const MorphRun made = run_morph(command, keys, plan.morph, messages, true);
   if (made.status != kDone) return made.status;
-  const std::string reports = format_reports(made.reports);
+  const std::string reports = format_reports(made);
   if (made.paths) {
     write_morph(command, plan.output, *made.paths, reports);
   } else {
@@ -60,7 +66,9 @@ void add_morph_command(CLI::App& program, Command& command) {
   command.app = program.add_subcommand("morph", "The in-betweens of two or more curves or shapes");
   command.app->add_option("shapes", command.inputs, "A, B, ...: files, parts of files, or path data");
   add_morph_output_flags(command);
-  command.app->add_option("--blend", command.blend, "auto, affine")->type_name("NAME");
+  command.app
+      ->add_option("--blend", command.blend, "auto, affine, bezier, hermite, similarity, intrinsic, detour")
+      ->type_name("NAME");
   add_common_flags(*command.app, command.common);
   add_match_flags(*command.app, command.match);
   command.run = run;

@@ -9,6 +9,7 @@
 #include "interrupt.h"
 #include "progress_bar.h"
 #include "tandem/match/rotation.h"
+#include "tandem/morph/quality.h"
 
 namespace cli {
 namespace {
@@ -21,6 +22,55 @@ ShapeReport report_of(const Morph& morph, std::size_t key, const Shape& a, const
     const std::optional<tandem::Match>& match = morph.match(key, i);
     return match ? &*match : nullptr;
   });
+}
+
+ShapeReport report_of(const tandem::MorphStep& step) {
+  ShapeReport report;
+  for (const tandem::ContourStep& contour : step.contours) {
+    if (contour.match) {
+      report.pairs.push_back({*contour.a, *contour.b, &*contour.match});
+    } else if (contour.a) {
+      report.unmatched_a.push_back(*contour.a);
+    } else if (contour.b) {
+      report.unmatched_b.push_back(*contour.b);
+    }
+  }
+  return report;
+}
+
+const char* name_of(tandem::BlendKind kind) {
+  switch (kind) {
+    case tandem::BlendKind::bezier:
+      return "bezier";
+    case tandem::BlendKind::hermite:
+      return "hermite";
+    case tandem::BlendKind::similarity:
+      return "similarity";
+    case tandem::BlendKind::intrinsic:
+      return "intrinsic";
+    default:
+      return "affine";
+  }
+}
+
+/// `"blends": [...], "quality": {...}`: how each step is blended, and what the in-betweens are worth.
+std::string format_quality(const tandem::PathMorph& morph) {
+  std::string blends;
+  bool detour = false;
+  for (const tandem::MorphStep& step : morph.steps()) {
+    blends += fmt::format("{}\"{}\"", blends.empty() ? "" : ", ", name_of(step.blend));
+    detour = detour || step.detour;
+  }
+  const tandem::MorphQuality quality = tandem::measure_quality(morph);
+  return fmt::format(
+      "\"blends\": [{}], \"detour\": {},\n"
+      " \"quality\": {{\"in_betweens\": {}, \"crossing\": {}, \"crossing_between\": {}, \"folded\": {}, "
+      "\"faulty\": {}, \"faulty_keys\": {}, \"g1_defect\": {}, \"length_deviation\": {}, "
+      "\"area_deviation\": {}, \"step_ratio\": {}}}",
+      blends, detour, quality.in_betweens, quality.crossing, quality.crossing_between, quality.folded,
+      quality.faulty, quality.faulty_keys, json_number(quality.g1_defect),
+      json_number(quality.length_deviation), json_number(quality.area_deviation),
+      json_number(quality.step_ratio));
 }
 
 /// A turn that nobody asked for should not puzzle anybody.
@@ -41,13 +91,18 @@ MorphRun run_morph(const Command& command, std::span<const Shape> keys, tandem::
   MorphRun result;
   {
     const InterruptibleScope interruptible;
-    result.curves.emplace(keys, options);
+    if (keys.front().dim() == 2) {
+      result.paths.emplace(keys, options);
+    } else {
+      result.curves.emplace(keys, options);
+    }
   }
   throw_if_interrupted();
   erase_progress_bar();
 
   for (std::size_t key = 0; key + 1 < keys.size(); ++key) {
-    result.reports.push_back(report_of(*result.curves, key, keys[key], keys[key + 1]));
+    result.reports.push_back(result.paths ? report_of(result.paths->steps()[key])
+                                          : report_of(*result.curves, key, keys[key], keys[key + 1]));
   }
   const bool valid = std::all_of(result.reports.begin(), result.reports.end(),
                                  [](const ShapeReport& r) { return r.valid(); });
@@ -60,15 +115,19 @@ MorphRun run_morph(const Command& command, std::span<const Shape> keys, tandem::
     warn(messages, report);
     if (note_turn) say_turn(messages, report);
   }
-  if (keys.front().dim() == 2) result.paths.emplace(*result.curves);
   return result;
 }
 
-std::string format_reports(const std::vector<ShapeReport>& reports) {
-  if (reports.size() == 1) return "\"report\": " + format_report(reports.front());
-  std::string text = "\"reports\": [";
-  for (std::size_t i = 0; i < reports.size(); ++i) text += (i == 0 ? "" : ", ") + format_report(reports[i]);
-  return text + "]";
+std::string format_reports(const MorphRun& made) {
+  std::string text;
+  if (made.reports.size() == 1) {
+    text = "\"report\": " + format_report(made.reports.front());
+  } else {
+    for (const ShapeReport& report : made.reports)
+      text += (text.empty() ? "\"reports\": [" : ", ") + format_report(report);
+    text += "]";
+  }
+  return made.paths ? text + ",\n " + format_quality(*made.paths) : text;
 }
 
 }  // namespace cli

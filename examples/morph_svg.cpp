@@ -16,8 +16,8 @@ int main(int argc, char** argv) {
   }
   try {
     const std::vector<tandem::Shape> keys = {tandem::load_shape(names[0]), tandem::load_shape(names[1])};
-    const tandem::Morph morph(keys);  // matches once
-    tandem::write_file(names[2], tandem::format_animated_svg(tandem::PathMorph(morph), {.duration = 3.0}));
+    const tandem::PathMorph morph(keys);  // matches once
+    tandem::write_file(names[2], tandem::format_animated_svg(morph, {.duration = 3.0}));
   } catch (const tandem::Error& error) {
     std::fprintf(stderr, "%s\n", error.what());
     return 1;

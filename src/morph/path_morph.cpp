@@ -4,17 +4,25 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <limits>
 #include <utility>
 
-#include "shape/cubic_fit.h"
-#include "shape/trigonometry.h"
+#include "morph/length_center.h"
+#include "morph/step_blend.h"
+#include "morph/step_search.h"
 #include "tandem/error.h"
+#include "tandem/morph/align.h"
+#include "tandem/shape/intersections.h"
+#include "tandem/shape/nesting.h"
 
 namespace tandem {
 inline namespace v0 {
 namespace {
+
+using detail::ContourDetour;
+using detail::ContourEnds;
+using detail::FoundContour;
+using detail::FoundStep;
+using detail::StepBlend;
 
 // How far a line's handles may stand off the thirds, as a share of the diagonal: the same bound by which ends
 // count as meeting, well above rounding and far below anything drawn.
@@ -24,175 +32,299 @@ constexpr double kLineTolerance = 1e-9;
 // than 12 degrees, and what sticks out of the box by then is less than the margin of a picture.
 constexpr std::size_t kBoxSamples = 16;
 
-bool is_point(std::span<const Points> keys, std::size_t segment) {
-  for (const Points& points : keys) {
-    const auto first = points[3 * segment];
-    for (std::size_t i = 3 * segment + 1; i <= 3 * segment + 3; ++i) {
-      if (!std::equal(first.begin(), first.end(), points[i].begin())) return false;
+void check_keys(std::span<const Shape> keys) {
+  if (keys.size() < 2) {
+    throw InvalidArgument(fmt::format("path morph: {} key shapes, expected at least 2", keys.size()));
+  }
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    if (keys[i].contours.empty()) throw InvalidArgument(fmt::format("path morph: key {} has no contours", i));
+    for (const Curve& contour : keys[i].contours) {
+      if (contour.dim() == 2) continue;
+      throw InvalidArgument(
+          fmt::format("path morph: the contours of key {} have dimension {}, expected 2", i, contour.dim()));
     }
   }
-  return true;
 }
 
-// Without the segments that are a point in every key; one is always left.
-std::vector<Points> without_points(std::vector<Points> keys) {
-  const std::size_t count = (keys.front().size() - 1) / 3;
-  std::vector<std::size_t> kept;
-  for (std::size_t k = 0; k < count; ++k) {
-    if (!is_point(keys, k)) kept.push_back(k);
+// Contours of no extent draw nothing; a key that has no others keeps one.
+std::vector<CubicPath> to_paths(const Shape& shape, double tolerance) {
+  const double diagonal = bounding_box(shape).diagonal();
+  const double absolute = std::max(tolerance * diagonal, std::numeric_limits<double>::min());
+  std::vector<CubicPath> paths;
+  for (const Curve& contour : shape.contours) {
+    if (contour.extent() > 0.0) paths.push_back(to_cubic_path(contour, absolute));
   }
-  if (kept.size() == count) return keys;
-  if (kept.empty()) kept.push_back(0);
-  for (Points& points : keys) {
-    Points rest;
-    rest.push_back(std::as_const(points).front());
-    for (std::size_t k : kept) {
-      for (std::size_t i = 3 * k + 1; i <= 3 * k + 3; ++i) rest.push_back(std::as_const(points)[i]);
-    }
-    points = std::move(rest);
-  }
-  return keys;
+  if (paths.empty()) paths.push_back(to_cubic_path(shape.contours.front(), absolute));
+  return orient(paths, shape.fill_rule);
 }
 
-/// line_tolerances: one per key.
-PathContour to_contour(std::span<const Curve> curves, double tolerance,
-                       std::span<const double> line_tolerances) {
-  std::vector<Points> keys = without_points(cubic_control_points(curves, tolerance));
-  // A contour collapsed to a point is no reason to leave the others open, nor to close them.
-  const bool closed = std::all_of(curves.begin(), curves.end(),
-                                  [](const Curve& c) { return c.is_closed() || c.extent() == 0.0; }) &&
-                      std::any_of(curves.begin(), curves.end(), [](const Curve& c) { return c.is_closed(); });
-  PathContour contour;
-  for (Points& points : keys) {
-    if (closed) {  // the ends meet up to rounding only
-      const auto front = std::as_const(points).front();
-      std::copy(front.begin(), front.end(), points[points.size() - 1].begin());
-    }
-    contour.keys.emplace_back(std::move(points), closed);
-  }
-  for (std::size_t k = 0; k < contour.keys.front().segment_count(); ++k) {
-    bool line = true;
-    for (std::size_t key = 0; key < contour.keys.size(); ++key) {
-      line = line && contour.keys[key].is_line(k, line_tolerances[key]);
-    }
-    contour.lines.push_back(line);
-  }
-  return contour;
-}
+// A contour through all keys so far.
+struct Track {
+  std::vector<CubicPath> keys;
+  std::size_t source = 0;  ///< which contour of the last key it is
+  bool alive = true;
+};
 
-// The points turned, then moved.
-void place(Points& points, const CosSin& turn, Vec2 center) {
-  const Transform map{turn.cosine, turn.sine, -turn.sine, turn.cosine, center.x, center.y};
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const auto p = points[i];
-    const Vec2 placed = map({p[0], p[1]});
-    p[0] = placed.x;
-    p[1] = placed.y;
-  }
-}
-
-// The path as the frame sees it in this pose.
-CubicPath seen_from(const FramePose& pose, const CubicPath& path) {
-  Points points = path.control_points();
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    points[i][0] -= pose.center.x;
-    points[i][1] -= pose.center.y;
-  }
-  place(points, cos_sin_degrees(-pose.degrees), {});
-  return CubicPath(std::move(points), path.is_closed());
-}
-
-// The centres are those of the frames, the same on both sides of a key; where a frame stands still it has
-// none, and any will do.
-std::vector<FramePose> poses_of(const Morph& morph) {
-  std::vector<FramePose> poses(morph.key_count());
-  for (std::size_t key = 0; key + 1 < poses.size(); ++key) {
-    const MovingFrame& frame = morph.frame(key);
-    poses[key + 1].degrees = poses[key].degrees + frame.rotation().degrees();
-    if (frame.stands_still()) continue;
-    poses[key].center = {frame.first_center()[0], frame.first_center()[1]};
-    poses[key + 1].center = {frame.second_center()[0], frame.second_center()[1]};
-  }
-  return poses;
+Vec2 center_of(const Shape& shape) {
+  const Point center = length_center(shape.contours);
+  return {center[0], center[1]};
 }
 
 }  // namespace
 
-PathMorph::PathMorph(const Morph& morph, double tolerance)
-    : key_count_(morph.key_count()), fill_rule_(morph.fill_rule()) {
-  std::vector<Box> boxes(key_count_);
-  for (std::size_t c = 0; c < morph.contour_count(); ++c) {
-    for (std::size_t key = 0; key < key_count_; ++key) {
-      const Curve& curve = morph.keys(c)[key];
-      if (curve.dim() != 2) {
-        throw InvalidArgument(
-            fmt::format("path morph: the shapes have dimension {}, expected 2", curve.dim()));
+struct PathMorph::State {
+  std::size_t key_count = 0;
+  FillRule fill_rule = FillRule::nonzero;
+  std::vector<PathContour> contours;
+  std::vector<bool> closed;
+  std::vector<FramePose> poses;
+  std::vector<MorphStep> steps;
+  std::vector<StepBlend> blends;
+  bool turns = false;
+  bool linear = true;
+  bool cancelled = false;
+  Box box;
+
+  [[nodiscard]] std::vector<CubicPath> at(double s) const {
+    const auto [key, local] = locate_key(s, key_count);
+    const StepBlend& blend = blends[key];
+    std::vector<CubicPath> paths;
+    paths.reserve(contours.size());
+    for (std::size_t c = 0; c < contours.size(); ++c) {
+      Points points(2, blend.size(c) / 2);
+      blend.at(local, c, points.data());
+      if (closed[c]) {
+        const auto front = std::as_const(points).front();
+        std::copy(front.begin(), front.end(), points[points.size() - 1].begin());
       }
-      boxes[key].include(bounding_box(curve));
+      paths.emplace_back(std::move(points), closed[c]);
+    }
+    return paths;
+  }
+
+  [[nodiscard]] FramePose pose_at(double s) const {
+    const auto [key, local] = locate_key(s, key_count);
+    const FramePose& first = poses[key];
+    const FramePose& second = poses[key + 1];
+    return {{(1.0 - local) * first.center.x + local * second.center.x,
+             (1.0 - local) * first.center.y + local * second.center.y},
+            (1.0 - local) * first.degrees + local * second.degrees};
+  }
+
+  // The path as the frame sees it in this pose.
+  [[nodiscard]] CubicPath seen(const FramePose& pose, const CubicPath& path) const {
+    if (!turns) return path;
+    Points points = path.control_points();
+    const Transform back =
+        Transform::rotate_degrees(-pose.degrees) * Transform::translate(-pose.center.x, -pose.center.y);
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const Vec2 p = back({points[i][0], points[i][1]});
+      points[i][0] = p.x;
+      points[i][1] = p.y;
+    }
+    return CubicPath(std::move(points), path.is_closed());
+  }
+};
+
+namespace {
+
+class Builder {
+ public:
+  explicit Builder(const MorphOptions& options) : options_(options) {}
+
+  // False when cancelled.
+  bool add(std::vector<CubicPath> key, Vec2 center) {
+    if (tracks_.empty()) {
+      center_ = center;
+      for (CubicPath& path : key) tracks_.push_back({{std::move(path)}, tracks_.size(), true});
+      return true;
+    }
+    std::vector<CubicPath> a;
+    std::vector<std::size_t> track_of;
+    for (std::size_t t = 0; t < tracks_.size(); ++t) {
+      if (!tracks_[t].alive) continue;
+      a.push_back(tracks_[t].keys.back());
+      track_of.push_back(t);
+    }
+    std::optional<FoundStep> step = detail::find_step({a, center_}, {key, center}, options_);
+    if (!step) return false;
+    append(*std::move(step), track_of);
+    center_ = center;
+    return true;
+  }
+
+  [[nodiscard]] const std::vector<Track>& tracks() const { return tracks_; }
+  [[nodiscard]] const std::vector<FoundStep>& steps() const { return steps_; }
+  [[nodiscard]] const std::vector<std::vector<ContourStep>>& contours() const { return contours_; }
+  [[nodiscard]] const std::vector<std::vector<ContourDetour>>& detours() const { return detours_; }
+
+ private:
+  void append(FoundStep step, const std::vector<std::size_t>& track_of) {
+    const std::size_t before = tracks_.front().keys.size();
+    std::vector<ContourStep> contours(tracks_.size());
+    for (Track& track : tracks_) {  // those that are dead stay where they died
+      if (!track.alive) track.keys.push_back(track.keys.back());
+    }
+    std::vector<ContourDetour> detours(tracks_.size());
+    for (FoundContour& found : step.candidate.contours) {
+      ContourStep told{{}, found.b, std::move(found.match)};
+      if (!found.a) {  // a point in all keys before
+        Track track;
+        track.keys.assign(before, found.ends.a);
+        track.keys.push_back(found.ends.b);
+        track.source = *found.b;
+        tracks_.push_back(std::move(track));
+        contours.push_back(std::move(told));
+        detours.push_back(found.detour);
+        continue;
+      }
+      Track& track = tracks_[track_of[*found.a]];
+      if (!found.cuts.empty()) {
+        for (CubicPath& earlier : track.keys) earlier = cut_at(earlier, found.cuts, found.ends.a.is_closed());
+      }
+      track.keys.push_back(found.ends.b);
+      told.a = track.source;
+      track.alive = found.b.has_value();
+      if (found.b) track.source = *found.b;
+      contours[track_of[*found.a]] = std::move(told);
+      detours[track_of[*found.a]] = found.detour;
+    }
+    contours_.push_back(std::move(contours));
+    detours_.push_back(std::move(detours));
+    step.candidate.contours.clear();
+    steps_.push_back(std::move(step));
+  }
+
+  const MorphOptions& options_;
+  Vec2 center_;  ///< of the last key
+  std::vector<Track> tracks_;
+  std::vector<FoundStep> steps_;
+  std::vector<std::vector<ContourStep>> contours_;
+  std::vector<std::vector<ContourDetour>> detours_;
+};
+
+}  // namespace
+
+PathMorph::PathMorph(std::span<const Shape> keys, const MorphOptions& options, double tolerance) {
+  check_keys(keys);
+  auto state = std::make_unique<State>();
+  state->key_count = keys.size();
+  Builder builder(options);
+  std::vector<double> line_tolerances;
+  for (const Shape& key : keys) {
+    std::vector<CubicPath> paths = to_paths(key, tolerance);
+    if (key.fill_rule == FillRule::evenodd && !is_simple(paths)) state->fill_rule = FillRule::evenodd;
+    line_tolerances.push_back(kLineTolerance * bounding_box(key).diagonal());
+    if (!builder.add(std::move(paths), center_of(key))) {
+      state->cancelled = true;
+      state_ = std::move(state);
+      return;
     }
   }
-  // Every key is redrawn to its own size: the keys may differ by orders of magnitude, or lie far apart.
-  double smallest = std::numeric_limits<double>::infinity();
-  std::vector<double> line_tolerances;
-  for (const Box& box : boxes) {
-    box_.include(box);
-    const double diagonal = box.diagonal();
-    line_tolerances.push_back(kLineTolerance * diagonal);
-    if (diagonal > 0.0) smallest = std::min(smallest, diagonal);
+  state->poses.resize(keys.size());
+  for (std::size_t k = 0; k + 1 < keys.size(); ++k) {
+    const FoundStep& found = builder.steps()[k];
+    std::vector<ContourEnds> ends;
+    for (const Track& track : builder.tracks()) ends.push_back({track.keys[k], track.keys[k + 1]});
+    const detail::PlanarFrame& frame = found.candidate.frame;
+    state->blends.emplace_back(found.kind, frame, ends);
+    for (std::size_t t = 0; t < builder.detours()[k].size(); ++t)
+      state->blends.back().set_detour(t, builder.detours()[k][t]);
+    state->linear = state->linear && state->blends.back().is_linear();
+    const double degrees = found.kind == BlendKind::bezier ? 0.0 : frame.degrees();
+    state->turns = state->turns || degrees != 0.0;
+    state->poses[k + 1].degrees = state->poses[k].degrees + degrees;
+    MorphStep step{found.kind,
+                   std::any_of(builder.detours()[k].begin(), builder.detours()[k].end(),
+                               [](const ContourDetour& d) { return !d.is_none(); }),
+                   builder.contours()[k]};
+    step.contours.resize(builder.tracks().size());
+    state->steps.push_back(std::move(step));
   }
-  // Nothing is finer than the rounding of the coordinates themselves.
-  double rounding = 0.0;
-  for (const Point& corner : {box_.lo, box_.hi}) {
-    for (double x : corner)
-      rounding = std::max(rounding, 8.0 * std::numeric_limits<double>::epsilon() * std::abs(x));
+  if (state->turns) {
+    for (std::size_t k = 0; k < keys.size(); ++k) state->poses[k].center = center_of(keys[k]);
   }
-  const double absolute = std::max(tolerance * std::min(smallest, box_.diagonal()), rounding);
-  for (std::size_t c = 0; c < morph.contour_count(); ++c) {
-    contours_.push_back(to_contour(morph.keys(c), absolute, line_tolerances));
+  for (const Track& track : builder.tracks()) {
+    PathContour contour;
+    state->closed.push_back(track.keys.front().is_closed());
+    for (std::size_t k = 0; k < keys.size(); ++k) {
+      state->box.include(bounding_box(to_curve(track.keys[k])));
+      contour.keys.push_back(state->seen(state->poses[k], track.keys[k]));
+    }
+    for (std::size_t i = 0; i < contour.keys.front().segment_count(); ++i) {
+      bool line = true;
+      for (const StepBlend& blend : state->blends)
+        line = line && blend.detour(state->contours.size()).width == 0.0;
+      for (std::size_t k = 0; k < keys.size(); ++k)
+        line = line && track.keys[k].is_line(i, line_tolerances[k]);
+      contour.lines.push_back(line);
+    }
+    state->contours.push_back(std::move(contour));
   }
-  poses_ = poses_of(morph);
-  turns_ = std::any_of(poses_.begin(), poses_.end(), [](const FramePose& p) { return p.degrees != 0.0; });
-  if (turns_) enter_frame();
+  if (state->turns || !state->linear) {
+    const std::size_t samples = kBoxSamples * (keys.size() - 1);
+    for (std::size_t i = 1; i < samples; ++i) {
+      for (const CubicPath& path : state->at(static_cast<double>(i) / static_cast<double>(samples))) {
+        state->box.include(bounding_box(to_curve(path)));
+      }
+    }
+  }
+  state_ = std::move(state);
 }
 
-void PathMorph::enter_frame() {
-  for (PathContour& contour : contours_) {
-    for (std::size_t key = 0; key < key_count_; ++key) {
-      contour.keys[key] = seen_from(poses_[key], contour.keys[key]);
-    }
-  }
-  const std::size_t samples = kBoxSamples * (key_count_ - 1);
-  for (std::size_t i = 1; i < samples; ++i) {
-    for (const CubicPath& path : at(static_cast<double>(i) / static_cast<double>(samples))) {
-      box_.include(bounding_box(to_curve(path)));
-    }
-  }
-}
+PathMorph::PathMorph(PathMorph&&) noexcept = default;
+PathMorph& PathMorph::operator=(PathMorph&&) noexcept = default;
+PathMorph::~PathMorph() = default;
 
 std::vector<CubicPath> PathMorph::at(double s) const {
-  const auto [key, local] = locate_key(s, key_count_);
-  const FramePose& first = poses_[key];
-  const FramePose& second = poses_[key + 1];
-  const CosSin turn = cos_sin_degrees((1.0 - local) * first.degrees + local * second.degrees);
-  const Vec2 center{(1.0 - local) * first.center.x + local * second.center.x,
-                    (1.0 - local) * first.center.y + local * second.center.y};
-  std::vector<CubicPath> paths;
-  paths.reserve(contours_.size());
-  for (const PathContour& contour : contours_) {
-    const CubicPath& a = contour.keys[key];
-    const CubicPath& b = contour.keys[key + 1];
-    if (!turns_ && (local == 0.0 || local == 1.0)) {
-      paths.push_back(local == 0.0 ? a : b);
-      continue;
-    }
-    Points points = a.control_points();
-    const std::span<double> blend = points.data();
-    const std::span<const double> other = b.control_points().data();
-    for (std::size_t i = 0; i < blend.size(); ++i) blend[i] = (1.0 - local) * blend[i] + local * other[i];
-    if (turns_) place(points, turn, center);
-    paths.emplace_back(std::move(points), a.is_closed());
-  }
+  return state_->at(s);
+}
+
+std::vector<CubicPath> PathMorph::in_frame(double s) const {
+  std::vector<CubicPath> paths = state_->at(s);
+  const FramePose pose = state_->pose_at(s);
+  for (CubicPath& path : paths) path = state_->seen(pose, path);
   return paths;
+}
+
+FramePose PathMorph::pose_at(double s) const {
+  return state_->pose_at(s);
+}
+
+const std::vector<PathContour>& PathMorph::contours() const noexcept {
+  return state_->contours;
+}
+
+bool PathMorph::turns() const noexcept {
+  return state_->turns;
+}
+
+const std::vector<FramePose>& PathMorph::poses() const noexcept {
+  return state_->poses;
+}
+
+bool PathMorph::is_linear() const noexcept {
+  return state_->linear;
+}
+
+const std::vector<MorphStep>& PathMorph::steps() const noexcept {
+  return state_->steps;
+}
+
+std::size_t PathMorph::key_count() const noexcept {
+  return state_->key_count;
+}
+
+FillRule PathMorph::fill_rule() const noexcept {
+  return state_->fill_rule;
+}
+
+const Box& PathMorph::box() const noexcept {
+  return state_->box;
+}
+
+bool PathMorph::cancelled() const noexcept {
+  return state_->cancelled;
 }
 
 }  // namespace v0

@@ -82,7 +82,6 @@ wrong 'align needs -o' align "$square" "$triangle"
 wrong 'ending' align "$square" "$triangle" -o out.css
 wrong '--precision' align "$square" "$triangle" -o out.json --precision x
 wrong 'morph needs -o' morph "$square" "$triangle"
-wrong 'hermite is not available yet' morph "$square" "$triangle" -o out.svg --blend hermite
 wrong '--blend takes one of' morph "$square" "$triangle" -o out.svg --blend linear
 wrong '--at takes a finite number' morph "$square" "$triangle" -o - --at 0,nan
 wrong '--at takes a list' morph "$square" "$triangle" -o - --at 0,,1

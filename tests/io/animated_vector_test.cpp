@@ -95,7 +95,7 @@ TEST(AnimatedVector, TurnsAGroup) {
 
 TEST(AnimatedVector, FillsByTheRuleAndStrokesTheRest) {
   const PathMorph holes =
-      test::morph_of({"M0 0H20V10H0ZM5 5H6V6H5Z", "M0 0H20V10H0ZM5 5H8V8H5Z"}, FillRule::evenodd);
+      test::morph_of({"M0 0H20V10H0ZM5 5L8 8V5L5 7Z", "M0 0H20V10H0ZM5 4L9 9V5L5 8Z"}, FillRule::evenodd);
   const pugi::xml_document document = parsed(format_animated_vector(holes));
   EXPECT_EQ(value(all(document, "path")[0], "fillType"), "evenOdd");
   const pugi::xml_document both = parsed(format_animated_vector(test::mixed()));

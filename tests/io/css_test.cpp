@@ -82,7 +82,7 @@ TEST(Css, TurnsByTransformsOrBakes) {
 
 TEST(Css, ClipsInPixels) {
   const PathMorph morph =
-      test::morph_of({"M0 0H20V10H0ZM5 5H6V6H5Z", "M0 0H20V10H0ZM5 5H8V8H5Z"}, FillRule::evenodd);
+      test::morph_of({"M0 0H20V10H0ZM5 5L8 8V5L5 7Z", "M0 0H20V10H0ZM5 4L9 9V5L5 8Z"}, FillRule::evenodd);
   const std::string css =
       format_css(morph, {}, {.property = CssProperty::clip_path, .name = "clip", .size = 220});
   // The longer side has a margin of 5 % on both sides: 22 units.

@@ -42,7 +42,7 @@ TEST(HtmlPlayer, HoldsTheKeysAsNumbers) {
   EXPECT_EQ(data["keys"], nlohmann::json({0, 1, 2}));
   EXPECT_EQ(data["times"], nlohmann::json({0, 0.5, 1}));
   EXPECT_EQ(data["repeat"], true);
-  EXPECT_EQ(data["rule"], "evenodd");
+  EXPECT_EQ(data["rule"], "nonzero");  // nothing crosses, so the contours are wound for it
   EXPECT_EQ(data["duration"], 1.5);
   EXPECT_EQ(data["alternate"], true);
   EXPECT_EQ(data["easing"], nlohmann::json({0.25, 0.1, 0.25, 1.0}));

@@ -82,7 +82,8 @@ TEST(KeysSvg, HasOneElementPerKey) {
 }
 
 TEST(KeysSvg, FillsByTheRule) {
-  const std::vector<std::string> keys{"M0 0H9V9H0ZM3 3H6V6H3Z", "M0 0H9V9H0ZM2 2H7V7H2Z"};
+  const std::vector<std::string> keys{"M0 0H9V9H0ZM3 3L6 6V3L3 5Z",
+                                      "M0 0H9V9H0ZM2 2L7 7V2L2 6Z"};  // they cross
   EXPECT_NE(format_keys_svg(test::morph_of(keys, FillRule::evenodd)).find("fill-rule=\"evenodd\""),
             std::string::npos);
 }

@@ -51,8 +51,8 @@ void expect_sound(const json& document) {
 }
 
 TEST(Lottie, HasOnePathPerContourAndFillsByTheRule) {
-  const json document =
-      lottie(test::morph_of({"M0 0H20V10H0ZM5 5H6V6H5Z", "M0 0H20V10H0ZM5 5H8V8H5Z"}, FillRule::evenodd));
+  const json document = lottie(
+      test::morph_of({"M0 0H20V10H0ZM5 5L8 8V5L5 7Z", "M0 0H20V10H0ZM5 4L9 9V5L5 8Z"}, FillRule::evenodd));
   expect_sound(document);
   EXPECT_EQ(document["w"], 220);
   EXPECT_EQ(document["h"], 120);

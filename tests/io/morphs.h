@@ -8,8 +8,10 @@
 
 namespace tandem::test {
 
-inline PathMorph path_morph(const std::vector<Shape>& keys, const MorphOptions& options = {}) {
-  return PathMorph(Morph(keys, options));
+/// Affine, so that the keys say it all.
+inline PathMorph path_morph(const std::vector<Shape>& keys, MorphOptions options = {}) {
+  options.blend = BlendKind::affine;
+  return PathMorph(keys, options);
 }
 
 /// A morph of path data; few nodes, for tests in which it does not matter how good the match is.

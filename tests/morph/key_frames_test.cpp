@@ -22,6 +22,7 @@ MorphOptions quick(std::optional<bool> rotate) {
   MorphOptions options;
   options.match.samples = {24, 24};
   options.match.rotate = rotate;
+  options.blend = BlendKind::affine;
   return options;
 }
 
@@ -80,7 +81,7 @@ TEST(KeyFrames, AffineMorphsNeedTheirKeysOnly) {
     std::vector<Shape> keys;
     const int count = *rc::gen::inRange(2, 5);
     for (int i = 0; i < count; ++i) keys.push_back(one(any_outline()));
-    const PathMorph morph{Morph(keys, quick(false))};
+    const PathMorph morph(keys, quick(false));
     const KeyFrames frames = key_frames(morph);
     RC_ASSERT(frames.times.size() == keys.size());
     RC_ASSERT(frames.poses.empty());
@@ -99,7 +100,7 @@ TEST(KeyFrames, TurningMorphsAreBakedOrKeepTheirPoses) {
     const double degrees = *rc::gen::element(60.0, 90.0, 150.0);
     const Transform map = Transform::translate(7, -3) * Transform::rotate_degrees(degrees);
     const std::vector<Shape> keys{one(first), one(transform(first, map)), one(any_outline())};
-    const PathMorph morph{Morph(keys, quick(true))};
+    const PathMorph morph(keys, quick(true));
     const Motion motion = [&](double s) { return morph.at(s); };
     const KeyFrames seen = key_frames(morph, {.bake_turn = false});
     RC_ASSERT(seen.times.size() == 3u);

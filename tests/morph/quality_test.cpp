@@ -171,7 +171,7 @@ TEST(MorphQuality, OfPathMorphsIsThatOfTheirInBetweens) {
   options.match.samples = {32, 32};
   const std::vector<Shape> keys{test::one(test::blob(3, 0)), test::one(test::blob(5, 4)),
                                 test::one(test::blob(2, 0))};
-  const PathMorph morph{Morph(keys, options)};
+  const PathMorph morph(keys, options);
   const MorphQuality quality = measure_quality(morph);
   EXPECT_EQ(quality.in_betweens, 40u);
   EXPECT_EQ(quality.faulty, 0u);

@@ -142,8 +142,7 @@ TEST(TurningMorph, EndsAreTheKeys) {
   MorphOptions options = quick();
   options.least_gain = 0.0;
   const Morph morph(keys, options);
-  const PathMorph paths(morph);
-  EXPECT_TRUE(paths.turns());
+  const PathMorph paths(keys, options);
   for (std::size_t key = 0; key < 3; ++key) {
     const double s = static_cast<double>(key) / 2.0;
     EXPECT_EQ(morph.at(s).contours[0], morph.keys(0)[key]);
@@ -164,7 +163,7 @@ TEST(TurningMorph, PathsFollowTheMorph) {
   const std::vector<Shape> keys{key, turned(key, 100.0, 3.0, 4.0), turned(key, 100.0, 9.0, 2.0),
                                 turned(key, -160.0)};
   const Morph morph(keys, quick());
-  const PathMorph paths(morph);
+  const PathMorph paths(keys, quick());
   EXPECT_FALSE(morph.frame(0).stands_still());
   EXPECT_TRUE(morph.frame(1).stands_still());
   ASSERT_EQ(paths.poses().size(), 4u);
@@ -196,7 +195,7 @@ TEST(TurningMorph, StaysWhereTheShapesLieWhenAsked) {
   EXPECT_FALSE(Morph(keys, options).frame(0).stands_still());
   options.match.rotate = false;
   EXPECT_TRUE(Morph(keys, options).frame(0).stands_still());
-  EXPECT_FALSE(PathMorph(Morph(keys, options)).turns());
+  EXPECT_FALSE(PathMorph(keys, options).turns());
   // Norms of positions keep them; the caller may say otherwise, but for the ruled one.
   options.match.rotate.reset();
   for (const NormKind norm : {NormKind::distance, NormKind::bottleneck, NormKind::ruled}) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tandem/match/match.h"
+#include "tandem/morph/blend.h"
 #include "tandem/morph/moving_frame.h"
 #include "tandem/shape/shape.h"
 #include "tandem/tandem_export.h"
@@ -17,10 +18,12 @@ struct MorphOptions {
   /// `rotate` empty: turns are looked for in the tangent norm and in a caller's own; the others say where the
   /// curves lie.
   MatchOptions match = {};
-  /// The keys blend as they lie unless a turn lowers the cost of matching them by this share (see
-  /// common_rotation()): in-betweens should not spin for a trifle. For a rotation that is given it does not
-  /// count.
+  /// Morph only (PathMorph decides by the in-betweens). The keys blend as they lie unless a turn lowers the
+  /// cost of matching them by this share (see common_rotation()): in-betweens should not spin for a trifle.
+  /// For a rotation that is given it does not count.
   double least_gain = 0.3;
+  /// PathMorph only; Morph is affine.
+  BlendKind blend = BlendKind::automatic;
 };
 
 /// A morph through n key shapes: matching happens once, in the constructor; at(s) only blends.

@@ -1,10 +1,16 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
+#include <optional>
+#include <span>
 #include <vector>
 
+#include "tandem/match/match.h"
+#include "tandem/morph/blend.h"
 #include "tandem/morph/morph.h"
 #include "tandem/shape/cubic_path.h"
+#include "tandem/shape/shape.h"
 #include "tandem/shape/transform.h"
 #include "tandem/tandem_export.h"
 
@@ -19,44 +25,70 @@ struct PathContour {
   std::vector<bool> lines;  ///< per segment: a straight line in every key, and so in every in-between
 };
 
-/// How the moving frame stands at a key: first turned, then moved. Between two keys all three numbers change
-/// evenly, so the in-between is the linear blend of the keys, turned by the angle and moved to the centre.
+/// How the moving frame stands: first turned, then moved. Between two keys all three numbers change evenly.
 struct FramePose {
   Vec2 center;
   double degrees = 0.0;  ///< summed up from the first key on; from the first axis to the second
   friend bool operator==(const FramePose&, const FramePose&) = default;
 };
 
-/// A planar morph redrawn as compatible cubic paths: what SVG, CSS, Lottie and the HTML player speak.
+/// What became of one contour on the way from a key to the next.
+struct ContourStep {
+  std::optional<std::size_t> a;  ///< which contour of the key it is; nothing: it is born on the way
+  std::optional<std::size_t> b;  ///< of the next key; nothing: it dies on the way
+  std::optional<Match> match;    ///< of the two, in the parameters of to_curve() of their cubics
+};
+
+/// The way from one key to the next.
+struct MorphStep {
+  BlendKind blend = BlendKind::affine;  ///< the one used, never automatic
+  /// Whether some contour is smoothed, shrinks or steps aside on the way, lest it crosses itself or another.
+  bool detour = false;
+  std::vector<ContourStep> contours;
+};
+
+/// A morph through planar key shapes as compatible cubic paths: what SVG, CSS, Lottie and the HTML player
+/// speak. Matching happens once, in the constructor; at(s) only blends. Key i stands at s = i / (n - 1).
 ///
-/// Exact for polynomial contours of degree <= 3; others are approximated, all keys with the same breaks,
-/// within `tolerance` times the diagonal of the keys.
+/// The keys are redrawn exactly where they are polynomial of degree <= 3, within `tolerance` of their
+/// diagonal otherwise; all with the same segments.
 class TANDEM_EXPORT PathMorph {
  public:
-  /// @throws InvalidArgument the morph is not planar
-  explicit PathMorph(const Morph& morph, double tolerance = 1e-5);
+  /// @throws InvalidArgument fewer than two keys, a key without contours, a dimension other than 2, and as
+  /// match()
+  explicit PathMorph(std::span<const Shape> keys, const MorphOptions& options = {}, double tolerance = 1e-5);
+  PathMorph(PathMorph&&) noexcept;
+  PathMorph& operator=(PathMorph&&) noexcept;
+  ~PathMorph();
 
-  /// The in-between at s: one path per contour, always with the same number of segments.
+  /// The in-between at s: one path per contour, always with the same segments. Any finite s: beyond the keys
+  /// it extrapolates.
   [[nodiscard]] std::vector<CubicPath> at(double s) const;
-  [[nodiscard]] const std::vector<PathContour>& contours() const noexcept { return contours_; }
+  /// The same as the frame sees it: turned back and moved back by pose_at(s).
+  [[nodiscard]] std::vector<CubicPath> in_frame(double s) const;
+  [[nodiscard]] FramePose pose_at(double s) const;
+
+  /// The keys: in_frame() there.
+  [[nodiscard]] const std::vector<PathContour>& contours() const noexcept;
   /// Whether the frame turns; otherwise it stands still at all keys, about (0, 0).
-  [[nodiscard]] bool turns() const noexcept { return turns_; }
+  [[nodiscard]] bool turns() const noexcept;
   /// One per key.
-  [[nodiscard]] const std::vector<FramePose>& poses() const noexcept { return poses_; }
-  [[nodiscard]] std::size_t key_count() const noexcept { return key_count_; }
-  [[nodiscard]] FillRule fill_rule() const noexcept { return fill_rule_; }
-  /// Box around all keys; around the in-betweens as well (as far as samples tell) where the frame turns.
-  [[nodiscard]] const Box& box() const noexcept { return box_; }
+  [[nodiscard]] const std::vector<FramePose>& poses() const noexcept;
+  /// Whether in_frame(s) runs straight from key to key, so that the keys and their poses say it all.
+  [[nodiscard]] bool is_linear() const noexcept;
+  /// One per pair of neighbouring keys; its contours are those of contours().
+  [[nodiscard]] const std::vector<MorphStep>& steps() const noexcept;
+  [[nodiscard]] std::size_t key_count() const noexcept;
+  /// Nonzero, by which the contours are wound; even-odd where a key of that rule has contours that cross.
+  [[nodiscard]] FillRule fill_rule() const noexcept;
+  /// Box around all keys, and around the in-betweens as far as samples tell.
+  [[nodiscard]] const Box& box() const noexcept;
+  /// The progress callback said stop: the morph must not be used.
+  [[nodiscard]] bool cancelled() const noexcept;
 
  private:
-  void enter_frame();
-
-  std::size_t key_count_ = 0;
-  FillRule fill_rule_ = FillRule::nonzero;
-  std::vector<PathContour> contours_;
-  std::vector<FramePose> poses_;
-  bool turns_ = false;
-  Box box_;
+  struct State;
+  std::unique_ptr<const State> state_;
 };
 
 }  // namespace v0

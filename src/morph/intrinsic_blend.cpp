@@ -1,0 +1,193 @@
+#include "morph/intrinsic_blend.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "shape/trigonometry.h"
+#include "tandem/curve/points.h"
+
+namespace tandem {
+inline namespace v0 {
+namespace detail {
+namespace {
+
+// Every edge gives a little, as a share of the mean length: otherwise edges of equal length would have to
+// bear what does not close.
+constexpr double kLeastGive = 0.02;
+// Newton steps towards a closed polygon: it converges quadratically, 4 to 6 are usual.
+constexpr int kMostSteps = 20;
+constexpr double kClosed = 1e-13;  // of the perimeter
+
+struct Heading {
+  double length = 0.0;
+  double degrees = 0.0;
+};
+
+double signed_turn(double from, double to) {
+  double turn = std::fmod(to - from, 360.0);
+  if (turn > 180.0) turn -= 360.0;
+  if (turn <= -180.0) turn += 360.0;
+  return turn;
+}
+
+// Edges of no length, as of a handle that lies on its joint, point where the next one of their segment does,
+// the last ones of a segment where the one before does.
+std::vector<Heading> headings_of(const CubicPath& path) {
+  const Points& p = path.control_points();
+  std::vector<Heading> edges(p.size() - 1);
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const double x = p[i + 1][0] - p[i][0];
+    const double y = p[i + 1][1] - p[i][1];
+    edges[i] = {std::sqrt(x * x + y * y), angle_degrees(x, y)};
+  }
+  const auto has_length = [](const Heading& edge) { return edge.length > 0.0; };
+  const auto first = std::find_if(edges.begin(), edges.end(), has_length);
+  for (auto edge = edges.begin(); edge != edges.end(); ++edge) {
+    if (has_length(*edge)) continue;
+    const auto end = edges.begin() + (edge - edges.begin()) / 3 * 3 + 3;
+    const auto next = std::find_if(edge, end, has_length);
+    if (next != end) {
+      edge->degrees = next->degrees;
+    } else if (edge != edges.begin()) {
+      edge->degrees = (edge - 1)->degrees;
+    } else if (first != edges.end()) {
+      edge->degrees = first->degrees;
+    }
+  }
+  return edges;
+}
+
+/// The middle of every edge, weighted with `lengths`.
+template <class Length>
+void center_of(const Points& p, std::size_t edges, const Length& length, double* center) {
+  double x = 0.0;
+  double y = 0.0;
+  double whole = 0.0;
+  for (std::size_t i = 0; i < edges; ++i) {
+    const double weight = length(i);
+    x += weight * 0.5 * (p[i][0] + p[i + 1][0]);
+    y += weight * 0.5 * (p[i][1] + p[i + 1][1]);
+    whole += weight;
+  }
+  center[0] = whole > 0.0 ? x / whole : p[0][0];
+  center[1] = whole > 0.0 ? y / whole : p[0][1];
+}
+
+}  // namespace
+
+IntrinsicBlend::IntrinsicBlend(const CubicPath& a, const CubicPath& b)
+    : closed_(a.is_closed() && b.is_closed()) {
+  const std::vector<Heading> of_a = headings_of(a);
+  const std::vector<Heading> of_b = headings_of(b);
+  double whole = 0.0;
+  for (std::size_t i = 0; i < of_a.size(); ++i) whole += 0.5 * (of_a[i].length + of_b[i].length);
+  const double least = kLeastGive * whole / static_cast<double>(of_a.size());
+  double turn = 0.0;
+  double mean = 0.0;
+  for (std::size_t i = 0; i < of_a.size(); ++i) {
+    if (i == 0) {
+      turn = signed_turn(of_a[0].degrees, of_b[0].degrees);
+    } else {
+      turn += signed_turn(of_b[i - 1].degrees, of_b[i].degrees) -
+              signed_turn(of_a[i - 1].degrees, of_a[i].degrees);
+    }
+    const double length = 0.5 * (of_a[i].length + of_b[i].length);
+    if (whole > 0.0) mean += length / whole * turn;
+    edges_.push_back({of_a[i].length, of_b[i].length, of_a[i].degrees, turn,
+                      std::max(least, std::fabs(of_a[i].length - of_b[i].length))});
+  }
+  // Whole turns make no difference at the ends; the smallest turn on the way does.
+  const double laps = std::floor(mean / 360.0 + 0.5) * 360.0;
+  for (Edge& edge : edges_) edge.turn -= laps;
+  center_of(
+      a.control_points(), edges_.size(), [&](std::size_t i) { return of_a[i].length; }, center_a_);
+  center_of(
+      b.control_points(), edges_.size(), [&](std::size_t i) { return of_b[i].length; }, center_b_);
+}
+
+void IntrinsicBlend::at(double s, std::span<double> points) const {
+  const std::size_t n = edges_.size();
+  // Until they are added up, point i + 1 holds the direction of edge i.
+  double* p = points.data();
+  double whole = 0.0;
+  const auto length_at = [s](const Edge& e) {
+    return std::max(0.0, (1.0 - s) * e.length_a + s * e.length_b);
+  };
+  for (std::size_t i = 0; i < n; ++i) {
+    const CosSin direction = cos_sin_degrees(edges_[i].heading + s * edges_[i].turn);
+    p[2 * i + 2] = direction.cosine;
+    p[2 * i + 3] = direction.sine;
+    whole += length_at(edges_[i]);
+  }
+  double lambda = 0.0;
+  double mu = 0.0;
+  // The exponent -give / length * (...) is bounded where a length vanishes: the edge has nothing to give.
+  const auto factor = [&](const Edge& e, double length, double c, double d) {
+    const double k = length > 0.0 ? std::min(e.give / length, 8.0) : 0.0;
+    return std::exp(std::clamp(-k * (lambda * c + mu * d), -30.0, 30.0));
+  };
+  for (int step = 0; closed_ && step < kMostSteps; ++step) {
+    double gx = 0.0;
+    double gy = 0.0;
+    double xx = 0.0;
+    double xy = 0.0;
+    double yy = 0.0;
+    for (std::size_t i = 0; i < n; ++i) {
+      const Edge& e = edges_[i];
+      const double length = length_at(e);
+      if (!(length > 0.0)) continue;
+      const double c = p[2 * i + 2];
+      const double d = p[2 * i + 3];
+      const double l = length * factor(e, length, c, d);
+      const double k = std::min(e.give / length, 8.0) * l;
+      gx += l * c;
+      gy += l * d;
+      xx += k * c * c;
+      xy += k * c * d;
+      yy += k * d * d;
+    }
+    if (std::sqrt(gx * gx + gy * gy) <= kClosed * whole) break;
+    const double det = xx * yy - xy * xy;
+    if (!(det > 0.0)) break;
+    double dx = (yy * gx - xy * gy) / det;
+    double dy = (xx * gy - xy * gx) / det;
+    const double size = std::sqrt(dx * dx + dy * dy);
+    if (size > 1.0) {  // a whole step could overshoot where exponentials grow
+      dx /= size;
+      dy /= size;
+    }
+    lambda += dx;
+    mu += dy;
+  }
+  double cx = 0.0;
+  double cy = 0.0;
+  double sum = 0.0;
+  p[0] = 0.0;
+  p[1] = 0.0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double c = p[2 * i + 2];
+    const double d = p[2 * i + 3];
+    double length = length_at(edges_[i]);
+    if (closed_) length *= factor(edges_[i], length, c, d);
+    p[2 * i + 2] = p[2 * i] + length * c;
+    p[2 * i + 3] = p[2 * i + 1] + length * d;
+    cx += length * 0.5 * (p[2 * i] + p[2 * i + 2]);
+    cy += length * 0.5 * (p[2 * i + 1] + p[2 * i + 3]);
+    sum += length;
+  }
+  const double ox = (1.0 - s) * center_a_[0] + s * center_b_[0] - (sum > 0.0 ? cx / sum : 0.0);
+  const double oy = (1.0 - s) * center_a_[1] + s * center_b_[1] - (sum > 0.0 ? cy / sum : 0.0);
+  // What is left open after the last step is spread along the way.
+  const double gap_x = closed_ ? p[2 * n] : 0.0;
+  const double gap_y = closed_ ? p[2 * n + 1] : 0.0;
+  for (std::size_t i = 0; i <= n; ++i) {
+    const double share = static_cast<double>(i) / static_cast<double>(n);
+    p[2 * i] += ox - share * gap_x;
+    p[2 * i + 1] += oy - share * gap_y;
+  }
+}
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace tandem

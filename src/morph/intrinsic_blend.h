@@ -1,0 +1,38 @@
+#pragma once
+
+#include <vector>
+
+#include "morph/contour_blend.h"
+
+namespace tandem {
+inline namespace v0 {
+namespace detail {
+
+/// Edge lengths and turning angles of the control polygons, interpolated (Sederberg, Gao, Wang and Mu,
+/// SIGGRAPH 1993). Smooth joints stay smooth, since three control points in line stay in line.
+///
+/// The edges of closed paths have to close: their lengths are corrected by factors exp(-k (lambda cos + mu
+/// sin)), which are positive whatever happens; k is larger where a length changes. The centroid of the edges'
+/// middles moves in a straight line.
+class IntrinsicBlend final : public ContourBlend {
+ public:
+  IntrinsicBlend(const CubicPath& a, const CubicPath& b);
+  void at(double s, std::span<double> points) const override;
+
+ private:
+  struct Edge {
+    double length_a;
+    double length_b;
+    double heading;  ///< degrees, in a
+    double turn;     ///< degrees, from a to b
+    double give;     ///< how willingly the length changes, as a length
+  };
+  std::vector<Edge> edges_;
+  bool closed_;
+  double center_a_[2];
+  double center_b_[2];
+};
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace tandem

@@ -1,0 +1,179 @@
+#include "morph/score.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "morph/measures.h"
+
+namespace tandem {
+inline namespace v0 {
+namespace detail {
+namespace {
+
+// In-betweens looked at: twentieths of the way, those that fail most often first.
+constexpr std::array<int, 19> kOrder = {10, 6, 14, 3, 17, 8, 12, 4, 16, 2, 18, 7, 13, 5, 15, 9, 11, 1, 19};
+constexpr double kParts = 20.0;
+// Share of the filled region that may lie over itself unnoticed.
+constexpr double kFold = 0.004;
+// More crossings in one in-between make it no worse.
+constexpr std::size_t kMostCrossings = 8;
+// A region that lies over itself, in crossings.
+constexpr double kFoldTrouble = 50.0;
+// What area and length may become, relative to the linear blend of the ends' own, before it is a fault:
+// tighter than what is seen as a collapse.
+constexpr double kLeastArea = 0.55;
+constexpr double kEven = 0.95;  // of the area of a body that grows evenly
+constexpr double kLeastLength = 0.6;
+constexpr double kMostLength = 1.4;
+
+// A joint that turns by this much more than in both keys is seen to.
+constexpr double kSeenBreak = 0.02;
+
+// Weights of the blemishes, found by looking at sheets of icons.
+constexpr double kBreakWeight = 1.0;
+constexpr double kAreaWeight = 1.0;
+constexpr double kLengthWeight = 1.0;
+constexpr double kTangentWeight = 0.6;
+constexpr double kTurnWeight = 2.0;  // of half a turn
+// Shapes whose tangents differ by less once they are turned are nearly one body, whose turn costs less.
+constexpr double kUnlike = 0.1;
+
+struct Sums {
+  double area = 0.0;
+  double length = 0.0;
+};
+
+// The turn on the spot at a joint, as the chord of its angle.
+double break_size(std::span<const double> points, std::size_t joint) {
+  return std::sqrt(2.0 * std::max(0.0, direction_break(points, joint)));
+}
+
+// Per joint, that of the key that turns more.
+std::vector<double> worse_breaks(const ContourEnds& ends) {
+  const std::span<const double> a = ends.a.control_points().data();
+  const std::span<const double> b = ends.b.control_points().data();
+  std::vector<double> worse;
+  for (std::size_t joint = ends.a.is_closed() ? 0 : 3; joint + 3 < a.size() / 2; joint += 3) {
+    worse.push_back(std::max(break_size(a, joint), break_size(b, joint)));
+  }
+  return worse;
+}
+
+// The mean of 1 - <T1, T2> over aligned edges of the control polygons, weighted with their lengths, as
+// the frame sees them.
+double tangent_difference(std::span<const ContourEnds> ends) {
+  double sum = 0.0;
+  double whole = 0.0;
+  for (const ContourEnds& contour : ends) {
+    const std::span<const double> a = contour.a.control_points().data();
+    const std::span<const double> b = contour.b.control_points().data();
+    for (std::size_t i = 0; i + 3 < a.size(); i += 2) {
+      const double ax = a[i + 2] - a[i], ay = a[i + 3] - a[i + 1];
+      const double bx = b[i + 2] - b[i], by = b[i + 3] - b[i + 1];
+      const double la = std::sqrt(ax * ax + ay * ay);
+      const double lb = std::sqrt(bx * bx + by * by);
+      if (!(la > 0.0 && lb > 0.0)) continue;
+      const double weight = la + lb;
+      sum += weight * (1.0 - (ax * bx + ay * by) / (la * lb));
+      whole += weight;
+    }
+  }
+  return whole > 0.0 ? sum / whole : 0.0;
+}
+
+}  // namespace
+
+Judge::Judge(double diagonal) : diagonal_(diagonal), finder_({.scale = diagonal}) {}
+
+void Judge::sample(const StepBlend& blend, double s) {
+  points_.resize(blend.contour_count());
+  views_.resize(blend.contour_count());
+  for (std::size_t c = 0; c < points_.size(); ++c) {
+    points_[c].resize(blend.size(c));
+    blend.at(s, c, points_[c]);
+    views_[c] = {points_[c], blend.is_closed(c)};
+  }
+}
+
+// 0 where nothing crosses or folds.
+double Judge::trouble_of_frame() {
+  double trouble = static_cast<double>(finder_.find(views_, kMostCrossings).size());
+  std::vector<PathView> closed;
+  for (const PathView& view : views_) {
+    if (view.closed) closed.push_back(view);
+  }
+  if (closed.size() > 1) {
+    const double fold = finder_.fold_fraction(closed);
+    if (fold > kFold) trouble += kFoldTrouble * fold;
+  }
+  return trouble;
+}
+
+Score Judge::judge(const StepBlend& blend, const Score& limit) {
+  const std::vector<ContourEnds> ends = blend.ends_in_frame();
+  Score score{0, 0.0, 0.0};
+  const double difference = tangent_difference(ends);
+  score.blemish += kTangentWeight * difference;
+  // What is nothing but a turned copy turns for free.
+  score.blemish += kTurnWeight * std::fabs(blend.degrees()) / 180.0 * std::min(1.0, difference / kUnlike);
+  if (!trouble_of_keys_) {
+    sample(blend, 0.0);
+    const double of_first = trouble_of_frame();
+    sample(blend, 1.0);
+    trouble_of_keys_ = {of_first, trouble_of_frame()};
+  }
+  std::vector<std::vector<double>> breaks;
+  Sums first;
+  Sums last;
+  double joints = 0.0;
+  for (const ContourEnds& contour : ends) {
+    breaks.push_back(worse_breaks(contour));
+    joints += static_cast<double>(breaks.back().size());
+    first.length += path_length(contour.a.control_points().data());
+    last.length += path_length(contour.b.control_points().data());
+    if (!contour.a.is_closed()) continue;
+    first.area += signed_area(contour.a.control_points().data());
+    last.area += signed_area(contour.b.control_points().data());
+  }
+  first.area = std::fabs(first.area);
+  last.area = std::fabs(last.area);
+  for (const int part : kOrder) {
+    const double s = part / kParts;
+    sample(blend, s);
+    // What crosses in both keys already is no fault of the in-betweens.
+    const double own = (1.0 - s) * (*trouble_of_keys_)[0] + s * (*trouble_of_keys_)[1];
+    const double trouble = std::max(0.0, trouble_of_frame() - own);
+    if (trouble > 0.0) ++score.faults;
+    score.trouble += trouble;
+    Sums now;
+    double broken = 0.0;
+    for (std::size_t c = 0; c < points_.size(); ++c) {
+      now.length += path_length(points_[c]);
+      if (ends[c].a.is_closed()) now.area += signed_area(points_[c]);
+      const std::size_t first_joint = ends[c].a.is_closed() ? 0 : 3;
+      for (std::size_t k = 0; k < breaks[c].size(); ++k) {
+        const double more = break_size(points_[c], first_joint + 3 * k) - breaks[c][k];
+        if (more > kSeenBreak) broken += more;
+      }
+    }
+    const double length = now.length / ((1.0 - s) * first.length + s * last.length);
+    if (length < kLeastLength || length > kMostLength) ++score.faults;
+    const double wanted = (1.0 - s) * first.area + s * last.area;
+    if (wanted > 0.0) {
+      const double area = std::fabs(now.area) / wanted;
+      // A body that grows evenly is smaller on the way than the blend of its areas, rightly.
+      const double side = (1.0 - s) * std::sqrt(first.area) + s * std::sqrt(last.area);
+      if (area < std::min(kLeastArea, kEven * side * side / wanted)) ++score.faults;
+      score.blemish += kAreaWeight * std::fabs(area - 1.0) / kOrder.size();
+    }
+    score.blemish += kLengthWeight * std::fabs(length - 1.0) / kOrder.size();
+    if (joints > 0.0) score.blemish += kBreakWeight * broken / std::sqrt(joints) / kOrder.size();
+    if (score.faults > limit.faults || (score.faults == 0 && !score.better_than(limit))) return score;
+  }
+  return score;
+}
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace tandem

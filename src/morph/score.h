@@ -1,0 +1,57 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "morph/step_blend.h"
+#include "tandem/shape/intersections.h"
+
+namespace tandem {
+inline namespace v0 {
+namespace detail {
+
+/// How good the in-betweens of a step are; less is better.
+struct Score {
+  /// In-betweens that cross or fold, in which a closed contour loses too much area, or length leaves its
+  /// bounds.
+  int faults = std::numeric_limits<int>::max();
+  /// How much of that there is: crossings and shares of folded regions, summed up.
+  double trouble = std::numeric_limits<double>::infinity();
+  /// What is left to like better: breaks at smooth joints, area and length off their linear blends, tangents
+  /// that turn, and the turn of the whole.
+  double blemish = std::numeric_limits<double>::infinity();
+
+  [[nodiscard]] bool better_than(const Score& other) const {
+    if (faults != other.faults) return faults < other.faults;
+    if (faults > 0 && trouble != other.trouble) return trouble < other.trouble;
+    return blemish < other.blemish;
+  }
+};
+
+/// Judges candidates for the in-betweens of one step.
+class Judge {
+ public:
+  /// diagonal: of the box of both keys.
+  explicit Judge(double diagonal);
+
+  /// The score, as far as needed to know whether it beats `limit`.
+  [[nodiscard]] Score judge(const StepBlend& blend, const Score& limit);
+
+ private:
+  [[nodiscard]] double trouble_of_frame();
+  void sample(const StepBlend& blend, double s);
+
+  double diagonal_;
+  CrossingFinder finder_;
+  std::optional<std::array<double, 2>> trouble_of_keys_;
+  std::vector<std::vector<double>> points_;
+  std::vector<PathView> views_;
+};
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace tandem

@@ -1,0 +1,71 @@
+#include "morph/step_blend.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "morph/measures.h"
+
+namespace tandem {
+inline namespace v0 {
+namespace detail {
+namespace {
+
+PlanarFrame frame_for(BlendKind kind, const PlanarFrame& frame) {
+  if (kind == BlendKind::bezier) return {};
+  if (kind == BlendKind::similarity) return frame;
+  return {frame.first_center(), frame.second_center(), frame.degrees(), 1.0};
+}
+
+}  // namespace
+
+StepBlend::StepBlend(BlendKind kind, const PlanarFrame& frame, std::span<const ContourEnds> contours)
+    : frame_(frame_for(kind, frame)) {
+  for (const ContourEnds& ends : contours) {
+    ContourEnds seen{ends.a, frame_.from_second(ends.b)};
+    auto blend = make_contour_blend(kind, seen.a, seen.b);
+    const bool closed = ends.a.is_closed() && ends.b.is_closed();
+    contours_.push_back(
+        {std::move(blend), ends.a.control_points().data().size(), closed, std::move(seen), {}, {}});
+  }
+}
+
+std::vector<ContourEnds> StepBlend::ends_in_frame() const {
+  std::vector<ContourEnds> ends;
+  for (const Contour& contour : contours_) ends.push_back(contour.ends);
+  return ends;
+}
+
+void StepBlend::set_detour(std::size_t contour, const ContourDetour& detour) {
+  Contour& c = contours_[contour];
+  c.detour = detour;
+  c.filter.reset();
+  if (detour.width > 0.0) c.filter.emplace(c.ends.a, c.ends.b);
+}
+
+bool StepBlend::is_linear() const noexcept {
+  return frame_.scale() == 1.0 && std::all_of(contours_.begin(), contours_.end(), [](const Contour& c) {
+           return c.blend->is_linear() && c.detour.is_none();
+         });
+}
+
+void StepBlend::at(double s, std::size_t contour, std::span<double> points) const {
+  const Contour& c = contours_[contour];
+  c.blend->at(s, points);
+  frame_.place(s, points);
+  // Beyond the ends there is nothing to be avoided.
+  if (c.detour.is_none() || s <= 0.0 || s >= 1.0) return;
+  const double off = (2.0 * s - 1.0) * (2.0 * s - 1.0);
+  const double bump = 1.0 - off * off;
+  if (c.filter) c.filter->apply(bump * c.detour.width, points);
+  if (c.detour.shrink == 0.0 && c.detour.offset == Vec2{}) return;
+  const Vec2 center = center_of_edges(points);
+  const double scale = 1.0 - bump * c.detour.shrink;
+  for (std::size_t i = 0; i + 1 < points.size(); i += 2) {
+    points[i] = center.x + bump * c.detour.offset.x + scale * (points[i] - center.x);
+    points[i + 1] = center.y + bump * c.detour.offset.y + scale * (points[i + 1] - center.y);
+  }
+}
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace tandem

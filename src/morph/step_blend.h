@@ -1,0 +1,74 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "morph/contour_blend.h"
+#include "morph/detour.h"
+#include "morph/planar_frame.h"
+#include "tandem/morph/blend.h"
+#include "tandem/shape/cubic_path.h"
+
+namespace tandem {
+inline namespace v0 {
+namespace detail {
+
+/// One contour at both keys of a step, with the same segments.
+struct ContourEnds {
+  CubicPath a;
+  CubicPath b;
+};
+
+/// What a contour does on the way, by a bump in s that is zero at both ends, to keep clear of itself and of
+/// the others.
+struct ContourDetour {
+  double width = 0.0;   ///< of the filter, see Detour
+  double shrink = 0.0;  ///< towards its centre, in [0, 1)
+  Vec2 offset{};        ///< of its centre
+  [[nodiscard]] bool is_none() const noexcept { return width == 0.0 && shrink == 0.0 && offset == Vec2{}; }
+};
+
+/// The in-betweens of all contours of one step.
+class StepBlend {
+ public:
+  /// kind: any but automatic. scale: of the frame, used by `similarity` alone.
+  StepBlend(BlendKind kind, const PlanarFrame& frame, std::span<const ContourEnds> contours);
+
+  /// Sends a contour on a detour.
+  void set_detour(std::size_t contour, const ContourDetour& detour);
+
+  [[nodiscard]] std::size_t contour_count() const noexcept { return contours_.size(); }
+  /// Number of coordinates of a contour.
+  [[nodiscard]] std::size_t size(std::size_t contour) const noexcept { return contours_[contour].size; }
+  /// Coordinates of a contour's control points at s.
+  void at(double s, std::size_t contour, std::span<double> points) const;
+  [[nodiscard]] bool is_closed(std::size_t contour) const noexcept { return contours_[contour].closed; }
+  /// Both keys' contours as the frame sees them.
+  [[nodiscard]] std::vector<ContourEnds> ends_in_frame() const;
+  /// By how much the frame turns.
+  [[nodiscard]] double degrees() const noexcept { return frame_.degrees(); }
+  [[nodiscard]] const ContourDetour& detour(std::size_t contour) const noexcept {
+    return contours_[contour].detour;
+  }
+  /// Whether all of it runs straight, but for the turn of the frame.
+  [[nodiscard]] bool is_linear() const noexcept;
+
+ private:
+  struct Contour {
+    std::unique_ptr<const ContourBlend> blend;
+    std::size_t size;
+    bool closed;
+    ContourEnds ends;  ///< as the frame sees them
+    ContourDetour detour;
+    std::optional<Detour> filter;
+  };
+  PlanarFrame frame_;
+  std::vector<Contour> contours_;
+};
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace tandem

@@ -1,0 +1,239 @@
+#include "morph/step_candidate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "morph/mean_value.h"
+#include "morph/measures.h"
+#include "shape/trigonometry.h"
+#include "tandem/curve/bounding_box.h"
+#include "tandem/morph/align.h"
+
+namespace tandem {
+inline namespace v0 {
+namespace detail {
+namespace {
+
+// Share of the cost of pairing contours at which another turn is taken.
+constexpr double kMuchLess = 0.5;
+
+CubicPath collapsed(const CubicPath& like, Vec2 point) {
+  Points points = like.control_points();
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    points[i][0] = point.x;
+    points[i][1] = point.y;
+  }
+  return CubicPath(std::move(points), like.is_closed());
+}
+
+Rotation turn_by(double degrees) {
+  const CosSin turn = cos_sin_degrees(degrees);
+  const double values[] = {turn.cosine, turn.sine};
+  return Rotation(2, values);
+}
+
+Vec2 to_vec(const Point& p) {
+  return {p[0], p[1]};
+}
+
+double radius_of_gyration(std::span<const CubicPath> paths, Vec2 center) {
+  double sum = 0.0;
+  double whole = 0.0;
+  for (const CubicPath& path : paths) {
+    const Points& p = path.control_points();
+    for (std::size_t i = 0; i + 1 < p.size(); ++i) {
+      const double length = std::hypot(p[i + 1][0] - p[i][0], p[i + 1][1] - p[i][1]);
+      const double x = 0.5 * (p[i + 1][0] + p[i][0]) - center.x;
+      const double y = 0.5 * (p[i + 1][1] + p[i][1]) - center.y;
+      sum += length * (x * x + y * y);
+      whole += length;
+    }
+  }
+  return whole > 0.0 ? std::sqrt(sum / whole) : 0.0;
+}
+
+/// The pair that contour `index` of the first key (else of the second) belongs to.
+const FoundContour* find_pair(const StepCandidate& candidate, std::size_t index, bool of_first) {
+  for (const FoundContour& found : candidate.contours) {
+    if (found.a && found.b && (of_first ? *found.a : *found.b) == index) return &found;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+std::vector<ContourEnds> StepCandidate::ends() const {
+  std::vector<ContourEnds> all;
+  all.reserve(contours.size());
+  for (const FoundContour& contour : contours) all.push_back(contour.ends);
+  return all;
+}
+
+StepBlend StepCandidate::blend(BlendKind kind) const {
+  StepBlend made(kind, frame, ends());
+  for (std::size_t c = 0; c < contours.size(); ++c) {
+    if (!contours[c].detour.is_none()) made.set_detour(c, contours[c].detour);
+  }
+  return made;
+}
+
+StepKeys::Key::Key(const StepKey& key)
+    : paths(key.contours.begin(), key.contours.end()),
+      nesting(find_nesting(key.contours, FillRule::nonzero)),
+      center(key.center) {
+  for (const CubicPath& path : paths) curves.push_back(to_curve(path));
+  gyration = radius_of_gyration(paths, center);
+}
+
+std::size_t StepKeys::Key::longest() const {
+  const auto length = [](const CubicPath& path) { return path_length(path.control_points().data()); };
+  const auto found =
+      std::max_element(paths.begin(), paths.end(),
+                       [&](const CubicPath& x, const CubicPath& y) { return length(x) < length(y); });
+  return static_cast<std::size_t>(found - paths.begin());
+}
+
+StepKeys::StepKeys(const StepKey& a, const StepKey& b) : a_(a), b_(b) {}
+
+double StepKeys::diagonal() const {
+  Box box;
+  for (const Key* key : {&a_, &b_}) {
+    for (const Curve& curve : key->curves) box.include(bounding_box(curve));
+  }
+  return box.diagonal();
+}
+
+Turned StepKeys::pair(const Rotation& turn, const MatchOptions& options) const {
+  Turned turned{turn, {}};
+  for (const ContourPair& pair : pair_contours(a_.paths, b_.paths, turn, options).pairs) {
+    const auto is_point = [](const Key& key, std::size_t i) { return !(key.curves[i].extent() > 0.0); };
+    if (pair.a && pair.b && (is_point(a_, *pair.a) || is_point(b_, *pair.b))) {
+      // A point has no direction to match.
+      turned.pairs.push_back({pair.a, {}});
+      turned.pairs.push_back({{}, pair.b});
+    } else {
+      turned.pairs.push_back(pair);
+    }
+  }
+  return turned;
+}
+
+Rotation StepKeys::find_turn(const MatchOptions& options) const {
+  MatchOptions own = options;
+  own.progress = {};
+  own.samples = {0, 0};  // a turn is found as well from few
+  const Curve& a = a_.curves[a_.longest()];
+  const Curve& b = b_.curves[b_.longest()];
+  if (a.is_closed() && b.is_closed()) own.direction = Direction::forward;
+  if (!(a.extent() > 0.0 && b.extent() > 0.0)) return Rotation(2);
+  const Rotation alone = common_rotation({&a, 1}, {&b, 1}, own);
+  if (a_.curves.size() == 1 && b_.curves.size() == 1) return alone;
+  // A rectangle does not tell a turn from one by 180 degrees more, nor a square by 90: all contours do.
+  double known = 0.0;
+  ContourPairing pairing = pair_contours(a_.paths, b_.paths, alone, own);
+  for (const double more : {90.0, 180.0, 270.0}) {
+    const Rotation turn = turn_by(alone.degrees() + more);
+    ContourPairing found = pair_contours(a_.paths, b_.paths, turn, own);
+    if (found.cost > kMuchLess * pairing.cost) continue;
+    known = turn.degrees();
+    pairing = std::move(found);
+  }
+  // Seen turned back, the nearest of equal turns is the smallest one.
+  const Transform back = Transform::rotate_degrees(-known);
+  std::vector<Curve> first;
+  std::vector<Curve> second;
+  for (const ContourPair& pair : pairing.pairs) {
+    if (!pair.a || !pair.b) continue;
+    first.push_back(a_.curves[*pair.a]);
+    second.push_back(transform(b_.curves[*pair.b], back));
+  }
+  return turn_by(known + common_rotation(first, second, own).degrees());
+}
+
+std::optional<StepCandidate> StepKeys::match(const Turned& turned, const MatchOptions& options) const {
+  StepCandidate candidate;
+  const double scale = a_.gyration > 0.0 && b_.gyration > 0.0 ? b_.gyration / a_.gyration : 1.0;
+  candidate.frame = PlanarFrame(a_.center, b_.center, turned.turn.degrees(), scale);
+  for (const ContourPair& pair : turned.pairs) {
+    if (!pair.a || !pair.b) continue;
+    const CubicPath& a = a_.paths[*pair.a];
+    const CubicPath& b = b_.paths[*pair.b];
+    MatchOptions own = options;
+    own.rotation = turned.turn.values();
+    // Both enclose what they enclose on the same side: turned round, the area would vanish on the way.
+    if (a.is_closed() && b.is_closed()) own.direction = Direction::forward;
+    Match found = tandem::match(a_.curves[*pair.a], b_.curves[*pair.b], own);
+    if (found.report.cancelled) return std::nullopt;
+    AlignedPaths aligned = align(a, b, found.correspondence);
+    candidate.contours.push_back({pair.a,
+                                  pair.b,
+                                  std::move(found),
+                                  std::move(aligned.cuts),
+                                  {std::move(aligned.a), std::move(aligned.b)},
+                                  {}});
+  }
+  add_lonely(candidate, turned);
+  return candidate;
+}
+
+// Contours that nobody becomes: each dies to, or is born from, the point to which the contour around it
+// carries its centre; outside of all, its own centre.
+void StepKeys::add_lonely(StepCandidate& candidate, const Turned& turned) const {
+  for (const ContourPair& pair : turned.pairs) {
+    if (pair.a && pair.b) continue;
+    const bool dies = pair.a.has_value();
+    const Key& key = dies ? a_ : b_;
+    const std::size_t index = dies ? *pair.a : *pair.b;
+    // The outermost contour that shares its fate, and what that one lies in.
+    std::size_t outermost = index;
+    const FoundContour* around = nullptr;
+    for (std::optional<std::size_t> parent = key.nesting[outermost].parent; parent;
+         parent = key.nesting[outermost].parent) {
+      around = find_pair(candidate, *parent, dies);
+      if (around != nullptr) break;
+      outermost = *parent;
+    }
+    Vec2 point = to_vec(bounding_box(key.curves[outermost]).center());
+    if (around != nullptr) {
+      point = dies ? carried_along(point, around->ends.a, around->ends.b)
+                   : carried_along(point, around->ends.b, around->ends.a);
+    }
+    const CubicPath& path = key.paths[index];
+    ContourEnds ends =
+        dies ? ContourEnds{path, collapsed(path, point)} : ContourEnds{collapsed(path, point), path};
+    candidate.contours.push_back({pair.a, pair.b, {}, {}, std::move(ends), {}});
+  }
+}
+
+StepCandidate subdivided(StepCandidate candidate, double longest) {
+  for (FoundContour& contour : candidate.contours) {
+    const double length_a = path_length(contour.ends.a.control_points().data());
+    const double length_b = path_length(contour.ends.b.control_points().data());
+    const auto share = [](const CubicPath& path, std::size_t segment, double whole) {
+      return whole > 0.0 ? path_length(path.control_points().data().subspan(6 * segment, 8)) / whole : 0.0;
+    };
+    // In the parameters of the aligned paths, and of the first key's own.
+    std::vector<double> cuts{0.0};
+    std::vector<double> own{contour.cuts.empty() ? 0.0 : contour.cuts.front()};
+    for (std::size_t k = 0; k < contour.ends.a.segment_count(); ++k) {
+      const double parts = std::max(
+          1.0, std::ceil(std::max(share(contour.ends.a, k, length_a), share(contour.ends.b, k, length_b)) /
+                         longest));
+      const double from = own.back();
+      const double to = contour.cuts.empty() ? from + 1.0 : contour.cuts[k + 1];
+      for (double p = 1.0; p <= parts; p += 1.0) {
+        cuts.push_back(static_cast<double>(k) + p / parts);
+        own.push_back(p == parts ? to : from + (to - from) * p / parts);
+      }
+    }
+    contour.ends.a = cut_at(contour.ends.a, cuts, contour.ends.a.is_closed());
+    contour.ends.b = cut_at(contour.ends.b, cuts, contour.ends.b.is_closed());
+    if (contour.a) contour.cuts = std::move(own);
+  }
+  return candidate;
+}
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace tandem

@@ -1,0 +1,90 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "morph/contour_pairs.h"
+#include "morph/planar_frame.h"
+#include "morph/step_blend.h"
+#include "tandem/curve/curve.h"
+#include "tandem/match/match.h"
+#include "tandem/match/rotation.h"
+#include "tandem/morph/blend.h"
+#include "tandem/shape/cubic_path.h"
+#include "tandem/shape/nesting.h"
+#include "tandem/shape/transform.h"
+
+namespace tandem {
+inline namespace v0 {
+namespace detail {
+
+/// What becomes of a contour in a step.
+struct FoundContour {
+  std::optional<std::size_t> a;  ///< of the first key; nothing: born
+  std::optional<std::size_t> b;  ///< of the second; nothing: dies
+  std::optional<Match> match;
+  std::vector<double> cuts;  ///< where the first key's contour is cut; empty: nowhere, or there is none
+  ContourEnds ends;
+  ContourDetour detour;
+};
+
+/// A key of a step.
+struct StepKey {
+  std::span<const CubicPath> contours;  ///< none empty; consistently wound, see orient()
+  Vec2 center;                          ///< what the frame turns about
+};
+
+/// A turn, and who becomes whom under it.
+struct Turned {
+  Rotation turn;
+  std::vector<ContourPair> pairs;
+};
+
+/// One correspondence of all contours, and the frame it is blended in.
+struct StepCandidate {
+  PlanarFrame frame;
+  std::vector<FoundContour> contours;
+
+  [[nodiscard]] std::vector<ContourEnds> ends() const;
+  [[nodiscard]] StepBlend blend(BlendKind kind) const;
+};
+
+/// The contours of the two keys of a step, and what candidates need to know of them.
+class StepKeys {
+ public:
+  StepKeys(const StepKey& a, const StepKey& b);
+
+  /// Diagonal of the box of both keys.
+  [[nodiscard]] double diagonal() const;
+  [[nodiscard]] Turned pair(const Rotation& turn, const MatchOptions& options) const;
+  /// The common turn of all contours, found from the longest ones first, which tell who becomes whom.
+  [[nodiscard]] Rotation find_turn(const MatchOptions& options) const;
+  /// Matches the pairs, each in the parameters of the paths, and aligns them; nothing when cancelled.
+  [[nodiscard]] std::optional<StepCandidate> match(const Turned& turned, const MatchOptions& options) const;
+
+ private:
+  struct Key {
+    explicit Key(const StepKey& key);
+    [[nodiscard]] std::size_t longest() const;
+
+    std::vector<CubicPath> paths;
+    std::vector<Curve> curves;
+    std::vector<NestedContour> nesting;
+    Vec2 center;
+    double gyration;  ///< radius of gyration about the centre
+  };
+  void add_lonely(StepCandidate& candidate, const Turned& turned) const;
+
+  Key a_;
+  Key b_;
+};
+
+/// The candidate with its segments cut until none is longer than `longest`, a share of its contour's length:
+/// short enough for the contour to be bent.
+[[nodiscard]] StepCandidate subdivided(StepCandidate candidate, double longest);
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace tandem

@@ -1,0 +1,226 @@
+#include "morph/step_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include "morph/clearance.h"
+#include "morph/measures.h"
+#include "morph/score.h"
+#include "tandem/match/rotation.h"
+
+namespace tandem {
+inline namespace v0 {
+namespace detail {
+namespace {
+
+// A turn smaller than this, in degrees, is left to the blend.
+constexpr double kLeastTurn = 0.5;
+// How many contours of the best candidates are sent on detours, all in all, when none is free of faults.
+constexpr std::size_t kDetours = 300;
+// Where others are looked at to keep clear of them.
+constexpr double kMeetings[] = {0.5, 0.3, 0.7};
+// Widths of the smoothing, as shares of the length: each so much wider than the one before.
+constexpr double kNarrowest = 0.003;
+constexpr double kWidest = 0.2;
+constexpr double kWiden = 1.35;
+// Segments are cut to this share of the length to be smoothed.
+constexpr double kLongestSegment = 0.04;
+
+/// Ways of matching beside the caller's own: positions count, tangents turned away only cost.
+struct Variant {
+  double position_weight;
+  double lambda;
+};
+constexpr Variant kVariants[] = {{0.0, 0.02}, {0.3, 0.02}, {1.0, 0.02}, {3.0, 0.02}, {1.0, 0.1}};
+
+bool is_tangent_norm(const MatchOptions& options) {
+  const auto* kind = std::get_if<NormKind>(&options.norm);
+  return kind != nullptr && *kind == NormKind::tangent;
+}
+
+bool wants_turns(const MatchOptions& options) {
+  if (!options.rotation.empty()) return false;
+  return options.rotate.value_or(is_tangent_norm(options) || std::holds_alternative<UserNorm>(options.norm));
+}
+
+// Variants stand in for the default only: what a caller asks for is what is done.
+bool may_vary(const MatchOptions& options) {
+  return is_tangent_norm(options) && options.method == Method::elastic && options.pins.empty() &&
+         !options.features.curvature && options.features.position_weight == 0.0;
+}
+
+std::vector<BlendKind> kinds_of(BlendKind kind) {
+  switch (kind) {
+    case BlendKind::automatic:
+      return {BlendKind::affine, BlendKind::hermite, BlendKind::intrinsic};
+    case BlendKind::detour:
+      return {BlendKind::affine};
+    default:
+      return {kind};
+  }
+}
+
+/// A candidate as it is blended, and what came of it.
+struct Entry {
+  std::size_t candidate;
+  BlendKind kind;
+  Score score;
+};
+
+class StepSearch {
+ public:
+  StepSearch(const StepKey& a, const StepKey& b, const MorphOptions& options)
+      : keys_(a, b), options_(options), kinds_(kinds_of(options.blend)), judge_(keys_.diagonal()) {}
+
+  std::optional<FoundStep> run() {
+    if (!try_all()) return std::nullopt;
+    const bool may_detour = options_.blend == BlendKind::automatic || options_.blend == BlendKind::detour;
+    if (may_detour && best_score_.faults > 0) {
+      std::stable_sort(entries_.begin(), entries_.end(),
+                       [](const Entry& x, const Entry& y) { return x.score.better_than(y.score); });
+      const std::size_t contours = candidates_.front().contours.size();
+      entries_.resize(std::min(entries_.size(), std::max<std::size_t>(kDetours / contours, 1)));
+      if (!keep_clear() || !smooth()) return std::nullopt;
+    }
+    return std::move(best_);
+  }
+
+ private:
+  // False when the caller wants to stop.
+  [[nodiscard]] bool go_on(double fraction) const {
+    return !options_.match.progress || options_.match.progress(fraction);
+  }
+
+  bool try_all() {
+    const MatchOptions& own = options_.match;
+    std::vector<MatchOptions> variants{own};
+    if (may_vary(own)) {
+      for (const Variant& variant : kVariants) {
+        variants.push_back(own);
+        variants.back().features.position_weight = variant.position_weight;
+        variants.back().features.lenient = true;
+        variants.back().elastic.lambda = variant.lambda;
+      }
+    }
+    const Rotation given = own.rotation.empty() ? Rotation(2) : Rotation(2, own.rotation);
+    std::vector<Turned> turns{keys_.pair(given, own)};
+    if (wants_turns(own)) {
+      const Rotation turn = keys_.find_turn(own);
+      if (std::fabs(turn.degrees()) > kLeastTurn) turns.push_back(keys_.pair(turn, own));
+    }
+    const auto all = static_cast<double>(variants.size() * turns.size());
+    for (MatchOptions& variant : variants) {
+      for (const Turned& turned : turns) {
+        // Detours may double the work.
+        const double done = 0.5 * static_cast<double>(candidates_.size()) / all;
+        if (own.progress) {
+          variant.progress = [&, done](double fraction) { return own.progress(done + 0.5 * fraction / all); };
+        }
+        std::optional<StepCandidate> candidate = keys_.match(turned, variant);
+        if (!candidate || !go_on(done)) return false;
+        candidates_.push_back(*std::move(candidate));
+        for (const BlendKind kind : kinds_) consider(candidates_.back(), kind, candidates_.size() - 1);
+      }
+    }
+    return true;
+  }
+
+  void consider(const StepCandidate& candidate, BlendKind kind, std::size_t index) {
+    const Score score = judge_.judge(candidate.blend(kind), best_score_);
+    entries_.push_back({index, kind, score});
+    keep(candidate, kind, score);
+  }
+
+  void keep(const StepCandidate& candidate, BlendKind kind, const Score& score) {
+    if (!score.better_than(best_score_)) return;
+    best_score_ = score;
+    best_ = {kind, candidate};
+  }
+
+  // Contours that get into each other's way shrink and step aside, until one candidate is free of faults.
+  bool keep_clear() {
+    for (std::size_t e = 0; e < entries_.size() && best_score_.faults > 0; ++e) {
+      Entry& entry = entries_[e];
+      StepCandidate own = candidates_[entry.candidate];
+      if (own.contours.size() < 2) return true;
+      const std::vector<std::size_t> order = all_but_the_largest(own);
+      Score score = judge_.judge(own.blend(entry.kind), {});
+      for (const double s : kMeetings) {
+        for (const std::size_t c : order) {
+          if (score.faults == 0) break;
+          if (!go_on(0.5 + 0.25 * static_cast<double>(e) / static_cast<double>(entries_.size())))
+            return false;
+          const ContourDetour before = own.contours[c].detour;
+          own.contours[c].detour = {};
+          own.contours[c].detour = clearance_.find(own.blend(entry.kind), c, s);
+          const Score now = judge_.judge(own.blend(entry.kind), score);
+          if (now.better_than(score)) {
+            score = now;
+          } else {
+            own.contours[c].detour = before;
+          }
+        }
+      }
+      keep(own, entry.kind, score);
+      // What is left may be smoothed.
+      entry = {candidates_.size(), entry.kind, score};
+      candidates_.push_back(std::move(own));
+    }
+    return true;
+  }
+
+  // The largest first.
+  static std::vector<std::size_t> all_but_the_largest(const StepCandidate& candidate) {
+    std::vector<std::pair<double, std::size_t>> sizes;
+    for (std::size_t c = 0; c < candidate.contours.size(); ++c) {
+      const ContourEnds& ends = candidate.contours[c].ends;
+      sizes.emplace_back(
+          -path_length(ends.a.control_points().data()) - path_length(ends.b.control_points().data()), c);
+    }
+    std::sort(sizes.begin(), sizes.end());
+    std::vector<std::size_t> order;
+    for (std::size_t k = 1; k < sizes.size(); ++k) order.push_back(sizes[k].second);
+    return order;
+  }
+
+  // The least smoothing of any candidate that leaves no fault.
+  bool smooth() {
+    if (best_score_.faults == 0) return true;
+    double least = kWidest;
+    for (std::size_t e = 0; e < entries_.size(); ++e) {
+      StepCandidate fine = subdivided(candidates_[entries_[e].candidate], kLongestSegment);
+      for (double width = kNarrowest; width < least; width *= kWiden) {
+        if (!go_on(0.75 + 0.25 * static_cast<double>(e) / static_cast<double>(entries_.size()))) return false;
+        for (FoundContour& contour : fine.contours) contour.detour.width = width;
+        const Score score = judge_.judge(fine.blend(entries_[e].kind), {1, 0.0, 0.0});
+        if (score.faults > 0) continue;
+        least = width;
+        best_score_ = score;
+        best_ = {entries_[e].kind, fine};
+      }
+    }
+    return true;
+  }
+
+  StepKeys keys_;
+  const MorphOptions& options_;
+  std::vector<BlendKind> kinds_;
+  Judge judge_;
+  Clearance clearance_;
+  std::vector<StepCandidate> candidates_;
+  std::vector<Entry> entries_;
+  Score best_score_;
+  FoundStep best_;
+};
+
+}  // namespace
+
+std::optional<FoundStep> find_step(const StepKey& a, const StepKey& b, const MorphOptions& options) {
+  return StepSearch(a, b, options).run();
+}
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace tandem
