@@ -8,6 +8,7 @@
 #include "messages.h"
 #include "morph_run.h"
 #include "output.h"
+#include "pins.h"
 #include "tandem/error.h"
 #include "tandem/io/path_data.h"
 #include "tandem/io/svg.h"
@@ -45,6 +46,7 @@ Status run(const Command& command) {
   const Format format = output_format(command.output, command.to, {Format::json, Format::svg});
   tandem::MorphOptions options;
   options.match = to_match_options(command.match);
+  options.pins = parse_pins(command.match.pins);
   // Number by number, nothing turns; the match alone may.
   options.match.rotate = options.match.rotate.value_or(false);
   options.blend = tandem::BlendKind::affine;
@@ -77,6 +79,7 @@ void add_align_command(CLI::App& program, Command& command) {
       ->type_name("N");
   add_common_flags(*command.app, command.common);
   add_match_flags(*command.app, command.match);
+  add_pin_flag(*command.app, command.match);
   command.run = run;
 }
 

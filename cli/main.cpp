@@ -24,8 +24,8 @@ namespace {
 /// Commands and options of the interface that do not work yet: people shall be told so, not that they
 /// mistyped.
 constexpr std::array<std::string_view, 5> kLaterCommands = {"rule", "blend", "skin", "font", "loft-repair"};
-constexpr std::array<std::string_view, 6> kLaterOptions = {"--pin",    "--certify", "--mirror",
-                                                           "--linear", "--grid",    "--axis"};
+constexpr std::array<std::string_view, 5> kLaterOptions = {"--certify", "--mirror", "--linear", "--grid",
+                                                           "--axis"};
 
 template <std::size_t N>
 bool contains(const std::array<std::string_view, N>& words, std::string_view word) {

@@ -9,6 +9,7 @@
 #include "morph_output.h"
 #include "morph_run.h"
 #include "output.h"
+#include "pins.h"
 #include "tandem/error.h"
 #include "values.h"
 
@@ -28,6 +29,7 @@ Plan make_plan(const Command& command) {
   Plan plan;
   plan.output = plan_morph_output(command);
   plan.morph.match = to_match_options(command.match);
+  plan.morph.pins = parse_pins(command.match.pins);
   plan.morph.blend = choose<BlendKind>("--blend", command.blend,
                                        {{"auto", BlendKind::automatic},
                                         {"affine", BlendKind::affine},
@@ -71,6 +73,7 @@ void add_morph_command(CLI::App& program, Command& command) {
       ->type_name("NAME");
   add_common_flags(*command.app, command.common);
   add_match_flags(*command.app, command.match);
+  add_pin_flag(*command.app, command.match);
   command.run = run;
 }
 

@@ -16,7 +16,7 @@ namespace cli {
 
 /// Shapes that were matched, each with the next, and what came of it. The reports point into the morph.
 struct MorphRun {
-  Status status = kDone;  ///< kNoValidMatch: --strict, nothing shall be written
+  Status status = kDone;                   ///< kNoValidMatch: --strict, nothing shall be written
   std::optional<tandem::PathMorph> paths;  ///< of planar shapes
   std::optional<tandem::Morph> curves;     ///< of others
   std::vector<ShapeReport> reports;        ///< one per pair of neighbours
@@ -27,8 +27,8 @@ struct MorphRun {
 [[nodiscard]] MorphRun run_morph(const Command& command, std::span<const tandem::Shape> keys,
                                  tandem::MorphOptions options, const Messages& messages, bool note_turn);
 
-/// `"report": {...}` of two keys, `"reports": [...]` of more, and of planar shapes `"blends"` and `"quality"`:
-/// members of a JSON object.
+/// `"report": {...}` of two keys, `"reports": [...]` of more, and of planar shapes `"blends"` and
+/// `"quality"`: members of a JSON object.
 [[nodiscard]] std::string format_reports(const MorphRun& made);
 
 }  // namespace cli

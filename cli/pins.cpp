@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <utility>
 
 #include "tandem/curve/nearest_point.h"
 #include "tandem/error.h"
@@ -21,6 +22,15 @@ Point parse_point(const std::string& text, const std::string& pin) {
   return {parse_number("--pin", parts[0]), parse_number("--pin", parts[1])};
 }
 
+/// The points of x1,y1=x2,y2.
+std::pair<Point, Point> parse_pin(const std::string& pin) {
+  const std::size_t equals = pin.find('=');
+  if (equals == std::string::npos || pin.find('=', equals + 1) != std::string::npos) {
+    throw UsageError("--pin takes x1,y1=x2,y2, not '" + pin + "'");
+  }
+  return {parse_point(pin.substr(0, equals), pin), parse_point(pin.substr(equals + 1), pin)};
+}
+
 }  // namespace
 
 std::vector<std::vector<ParameterPair>> locate_pins(const std::vector<std::string>& pins,
@@ -28,12 +38,7 @@ std::vector<std::vector<ParameterPair>> locate_pins(const std::vector<std::strin
   const std::size_t count = std::min(a.contours.size(), b.contours.size());
   std::vector<std::vector<ParameterPair>> located(count);
   for (const std::string& pin : pins) {
-    const std::size_t equals = pin.find('=');
-    if (equals == std::string::npos || pin.find('=', equals + 1) != std::string::npos) {
-      throw UsageError("--pin takes x1,y1=x2,y2, not '" + pin + "'");
-    }
-    const Point on_a = parse_point(pin.substr(0, equals), pin);
-    const Point on_b = parse_point(pin.substr(equals + 1), pin);
+    const auto [on_a, on_b] = parse_pin(pin);
     if (count == 0) throw tandem::InvalidArgument("--pin " + pin + ": there are no contours to pin");
     double least = std::numeric_limits<double>::infinity();
     std::size_t pair = 0;
@@ -49,6 +54,15 @@ std::vector<std::vector<ParameterPair>> locate_pins(const std::vector<std::strin
     located[pair].push_back(nearest);
   }
   return located;
+}
+
+std::vector<tandem::MorphPin> parse_pins(const std::vector<std::string>& pins) {
+  std::vector<tandem::MorphPin> parsed;
+  for (const std::string& pin : pins) {
+    const auto [a, b] = parse_pin(pin);
+    parsed.push_back({{a[0], a[1]}, {b[0], b[1]}});
+  }
+  return parsed;
 }
 
 }  // namespace cli

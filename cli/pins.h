@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "tandem/match/correspondence.h"
+#include "tandem/morph/morph.h"
 #include "tandem/shape/shape.h"
 
 namespace cli {
@@ -14,5 +15,8 @@ namespace cli {
 /// @throws tandem::InvalidArgument a shape that is not planar, or without contours
 [[nodiscard]] std::vector<std::vector<tandem::ParameterPair>> locate_pins(
     const std::vector<std::string>& pins, const tandem::Shape& a, const tandem::Shape& b);
+
+/// The same for a morph, which looks for the points itself. @throws UsageError as above
+[[nodiscard]] std::vector<tandem::MorphPin> parse_pins(const std::vector<std::string>& pins);
 
 }  // namespace cli

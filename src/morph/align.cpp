@@ -198,8 +198,31 @@ class Aligner {
       joints_.push_back(joint_at(u, v, false, true));
     }
     joints_.push_back(joint_at(u1, v1, true, !c_.closed));
+    for (const ParameterPair& pin : options_.pins) add_pin(pin, {u0, u1});
     std::stable_sort(joints_.begin() + 1, joints_.end() - 1,
                      [](const Joint& x, const Joint& y) { return x.along < y.along; });
+  }
+
+  // In place of the joints that are there already.
+  void add_pin(ParameterPair pin, const Interval& range) {
+    if (c_.closed) {
+      const double lap = static_cast<double>(a_.segment_count());
+      const double other = static_cast<double>(b_.segment_count());
+      pin.u += std::ceil((range.lo - pin.u) / lap) * lap;
+      pin.v += std::floor((c_.v_at(pin.u) - pin.v) / other + 0.5) * other;
+    }
+    const Joint joint = joint_at(pin.u, pin.v, true, true);
+    const auto same = [&](const Joint& x) { return std::fabs(x.along - joint.along) <= kSame; };
+    if (same(joints_.front()) || same(joints_.back())) {  // the seam, which stays where it is
+      joints_.front().of_b = joints_.back().of_b = true;
+      const auto there = [&](const Joint& x) {
+        return x.along - joints_.front().along <= kSame || joints_.back().along - x.along <= kSame;
+      };
+      joints_.erase(std::remove_if(joints_.begin() + 1, joints_.end() - 1, there), joints_.end() - 1);
+      return;
+    }
+    joints_.erase(std::remove_if(joints_.begin(), joints_.end(), same), joints_.end());
+    joints_.insert(joints_.end() - 1, joint);
   }
 
   [[nodiscard]] bool is_corner(const CubicPath& path, double parameter) const {

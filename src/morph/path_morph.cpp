@@ -207,6 +207,9 @@ class Builder {
 
 PathMorph::PathMorph(std::span<const Shape> keys, const MorphOptions& options, double tolerance) {
   check_keys(keys);
+  if (!options.pins.empty() && keys.size() != 2) {
+    throw InvalidArgument(fmt::format("path morph: pins between {} keys, expected 2", keys.size()));
+  }
   auto state = std::make_unique<State>();
   state->key_count = keys.size();
   Builder builder(options);

@@ -1,13 +1,18 @@
 #include "morph/step_candidate.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "morph/mean_value.h"
 #include "morph/measures.h"
 #include "shape/trigonometry.h"
 #include "tandem/curve/bounding_box.h"
+#include "tandem/curve/nearest_point.h"
+#include "tandem/error.h"
 #include "tandem/morph/align.h"
 
 namespace tandem {
@@ -94,7 +99,33 @@ std::size_t StepKeys::Key::longest() const {
   return static_cast<std::size_t>(found - paths.begin());
 }
 
-StepKeys::StepKeys(const StepKey& a, const StepKey& b) : a_(a), b_(b) {}
+StepKeys::StepKeys(const StepKey& a, const StepKey& b, std::span<const MorphPin> pins) : a_(a), b_(b) {
+  for (const MorphPin& pin : pins) locate(pin);
+}
+
+void StepKeys::locate(const MorphPin& pin) {
+  const auto on = [](const Key& key, Vec2 p, std::size_t& contour) {
+    const Point point{p.x, p.y};
+    NearestPoint best{0.0, std::numeric_limits<double>::infinity()};
+    for (std::size_t i = 0; i < key.curves.size(); ++i) {
+      const NearestPoint found = nearest_point(key.curves[i], point);
+      if (!(found.distance < best.distance)) continue;
+      best = found;
+      contour = i;
+    }
+    return best.parameter;
+  };
+  Pin located{0, 0, {}};
+  located.at.u = on(a_, pin.a, located.a);
+  located.at.v = on(b_, pin.b, located.b);
+  for (const Pin& other : pins_) {
+    if ((other.a == located.a) == (other.b == located.b)) continue;
+    throw InvalidArgument(
+        fmt::format("the pins ({}, {}) = ({}, {}) and another one want a contour to become two", pin.a.x,
+                    pin.a.y, pin.b.x, pin.b.y));
+  }
+  pins_.push_back(located);
+}
 
 double StepKeys::diagonal() const {
   Box box;
@@ -106,7 +137,18 @@ double StepKeys::diagonal() const {
 
 Turned StepKeys::pair(const Rotation& turn, const MatchOptions& options) const {
   Turned turned{turn, {}};
-  for (const ContourPair& pair : pair_contours(a_.paths, b_.paths, turn, options).pairs) {
+  std::vector<ContourPair> pairs = pair_contours(a_.paths, b_.paths, turn, options).pairs;
+  for (const Pin& pin : pins_) {
+    // The two are paired, and those they leave behind become one another.
+    const auto of_a =
+        std::find_if(pairs.begin(), pairs.end(), [&](const ContourPair& p) { return p.a == pin.a; });
+    const auto of_b =
+        std::find_if(pairs.begin(), pairs.end(), [&](const ContourPair& p) { return p.b == pin.b; });
+    if (of_a != of_b) std::swap(of_a->b, of_b->b);
+  }
+  pairs.erase(std::remove_if(pairs.begin(), pairs.end(), [](const ContourPair& p) { return !p.a && !p.b; }),
+              pairs.end());
+  for (const ContourPair& pair : pairs) {
     const auto is_point = [](const Key& key, std::size_t i) { return !(key.curves[i].extent() > 0.0); };
     if (pair.a && pair.b && (is_point(a_, *pair.a) || is_point(b_, *pair.b))) {
       // A point has no direction to match.
@@ -125,7 +167,9 @@ Rotation StepKeys::find_turn(const MatchOptions& options) const {
   own.samples = {0, 0};  // a turn is found as well from few
   const Curve& a = a_.curves[a_.longest()];
   const Curve& b = b_.curves[b_.longest()];
-  if (a.is_closed() && b.is_closed()) own.direction = Direction::forward;
+  if (a.is_closed() && b.is_closed() && own.direction == Direction::automatic) {
+    own.direction = Direction::forward;
+  }
   if (!(a.extent() > 0.0 && b.extent() > 0.0)) return Rotation(2);
   const Rotation alone = common_rotation({&a, 1}, {&b, 1}, own);
   if (a_.curves.size() == 1 && b_.curves.size() == 1) return alone;
@@ -162,10 +206,17 @@ std::optional<StepCandidate> StepKeys::match(const Turned& turned, const MatchOp
     MatchOptions own = options;
     own.rotation = turned.turn.values();
     // Both enclose what they enclose on the same side: turned round, the area would vanish on the way.
-    if (a.is_closed() && b.is_closed()) own.direction = Direction::forward;
+    if (a.is_closed() && b.is_closed() && own.direction == Direction::automatic) {
+      own.direction = Direction::forward;
+    }
+    AlignOptions joints;
+    for (const Pin& pin : pins_) {
+      if (pin.a == *pair.a) joints.pins.push_back(pin.at);
+    }
+    own.pins = joints.pins;
     Match found = tandem::match(a_.curves[*pair.a], b_.curves[*pair.b], own);
     if (found.report.cancelled) return std::nullopt;
-    AlignedPaths aligned = align(a, b, found.correspondence);
+    AlignedPaths aligned = align(a, b, found.correspondence, joints);
     candidate.contours.push_back({pair.a,
                                   pair.b,
                                   std::move(found),

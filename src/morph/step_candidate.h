@@ -12,6 +12,7 @@
 #include "tandem/match/match.h"
 #include "tandem/match/rotation.h"
 #include "tandem/morph/blend.h"
+#include "tandem/morph/morph.h"
 #include "tandem/shape/cubic_path.h"
 #include "tandem/shape/nesting.h"
 #include "tandem/shape/transform.h"
@@ -54,7 +55,8 @@ struct StepCandidate {
 /// The contours of the two keys of a step, and what candidates need to know of them.
 class StepKeys {
  public:
-  StepKeys(const StepKey& a, const StepKey& b);
+  /// @throws InvalidArgument pins that want a contour to become two
+  StepKeys(const StepKey& a, const StepKey& b, std::span<const MorphPin> pins);
 
   /// Diagonal of the box of both keys.
   [[nodiscard]] double diagonal() const;
@@ -75,10 +77,18 @@ class StepKeys {
     Vec2 center;
     double gyration;  ///< radius of gyration about the centre
   };
+  /// A pin on the outlines.
+  struct Pin {
+    std::size_t a;
+    std::size_t b;
+    ParameterPair at;
+  };
+  void locate(const MorphPin& pin);
   void add_lonely(StepCandidate& candidate, const Turned& turned) const;
 
   Key a_;
   Key b_;
+  std::vector<Pin> pins_;
 };
 
 /// The candidate with its segments cut until none is longer than `longest`, a share of its contour's length:

@@ -47,8 +47,8 @@ bool wants_turns(const MatchOptions& options) {
 
 // Variants stand in for the default only: what a caller asks for is what is done.
 bool may_vary(const MatchOptions& options) {
-  return is_tangent_norm(options) && options.method == Method::elastic && options.pins.empty() &&
-         !options.features.curvature && options.features.position_weight == 0.0;
+  return is_tangent_norm(options) && options.method == Method::elastic && !options.features.curvature &&
+         options.features.position_weight == 0.0;
 }
 
 std::vector<BlendKind> kinds_of(BlendKind kind) {
@@ -72,7 +72,10 @@ struct Entry {
 class StepSearch {
  public:
   StepSearch(const StepKey& a, const StepKey& b, const MorphOptions& options)
-      : keys_(a, b), options_(options), kinds_(kinds_of(options.blend)), judge_(keys_.diagonal()) {}
+      : keys_(a, b, options.pins),
+        options_(options),
+        kinds_(kinds_of(options.blend)),
+        judge_(keys_.diagonal()) {}
 
   std::optional<FoundStep> run() {
     if (!try_all()) return std::nullopt;
@@ -98,6 +101,8 @@ class StepSearch {
     std::vector<MatchOptions> variants{own};
     if (may_vary(own)) {
       for (const Variant& variant : kVariants) {
+        // Whoever is in a hurry gets the one that helps most.
+        if (own.coarse_to_fine && variant.position_weight != 1.0) continue;
         variants.push_back(own);
         variants.back().features.position_weight = variant.position_weight;
         variants.back().features.lenient = true;

@@ -26,7 +26,7 @@ wrong 'no option --versoin; did you mean --version' --versoin
 wrong 'match has no option --metod; did you mean --method' match "$square" "$triangle" --metod paper
 wrong 'did you mean --samples' match --sample=20 "$square" "$triangle"
 wrong 'no option -x' match "$square" "$triangle" -x
-wrong '--pin is not available yet' morph "$square" "$triangle" -o out.svg --pin '0,0=1,1'
+wrong '--pin takes x1,y1=x2,y2' morph "$square" "$triangle" -o out.svg --pin '0,0=1'
 wrong '--pin takes x1,y1=x2,y2' match "$square" "$triangle" --pin '0,0'
 wrong '--pin takes x1,y1=x2,y2' match "$square" "$triangle" --pin '0,0,0=1,1'
 wrong '--pin' match "$square" "$triangle" --pin '0,x=1,1'

@@ -11,6 +11,7 @@
 
 #include "morph/test_shapes.h"
 #include "tandem/curve/edit.h"
+#include "tandem/curve/nearest_point.h"
 #include "tandem/error.h"
 #include "tandem/morph/align.h"
 #include "tandem/shape/intersections.h"
@@ -247,6 +248,35 @@ TEST(PathMorph, FindsInBetweensThatDoNotCross) {
   const std::vector<Shape> keys{to_shape(parse("M0 0H2V8H10V10H0Z")), to_shape(parse("M0 0H10V10H8V2H0Z"))};
   const PathMorph morph(keys);
   for (int k = 0; k <= 20; ++k) EXPECT_TRUE(is_simple(morph.at(k / 20.0))) << k;
+}
+
+TEST(PathMorph, PinsHold) {
+  const std::vector<Shape> keys{one(square(10)),
+                                {{blob(4, 0), transform(blob(3, 0, 2.0), Transform::translate(20, 0))}}};
+  for (const BlendKind kind : kKinds) {
+    MorphOptions options = with(kind);
+    // A corner, and a point of an edge, each to a place of the smaller contour.
+    options.pins = {{{0, 0}, {22, 0.3}}, {{7, 0}, {20, 2}}};
+    const PathMorph morph(keys, options);
+    ASSERT_EQ(morph.steps()[0].contours[0].b, 1u);
+    const Points a = morph.at(0.0)[0].control_points();
+    const Points b = morph.at(1.0)[0].control_points();
+    for (const MorphPin& pin : options.pins) {
+      const NearestPoint on_b = nearest_point(keys[1].contours[1], Point{pin.b.x, pin.b.y});
+      const Point wanted = keys[1].contours[1].evaluate(on_b.parameter);
+      double nearest = 1e9;
+      for (std::size_t i = 0; i < a.size(); i += 3) {
+        if (test::apart({a[i][0], a[i][1]}, {pin.a.x, pin.a.y}) > 1e-6) continue;
+        nearest = std::min(nearest, test::apart({b[i][0], b[i][1]}, wanted));
+      }
+      EXPECT_LT(nearest, 1e-6) << static_cast<int>(kind);
+    }
+  }
+  MorphOptions torn;
+  torn.pins = {{{0, 0}, {22, 0}}, {{7, 0}, {5, 0}}};
+  EXPECT_THROW(PathMorph(keys, torn), InvalidArgument);
+  const std::vector<Shape> three{keys[0], keys[0], keys[0]};
+  EXPECT_THROW(PathMorph(three, torn), InvalidArgument);
 }
 
 TEST(PathMorph, StopsWhenToldTo) {

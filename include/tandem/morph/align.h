@@ -17,6 +17,8 @@ struct AlignOptions {
   /// Between two joints the paths run in step by their own parameters; where that strays further than this
   /// from the correspondence, a joint is added.
   double stray = 0.04;
+  /// Points of the correspondence that become joints, in the paths' own parameters.
+  std::vector<ParameterPair> pins = {};
 };
 
 /// Two paths redrawn with the same number of segments, pieces of their own segments: blending them is

@@ -9,10 +9,18 @@
 #include "tandem/morph/blend.h"
 #include "tandem/morph/moving_frame.h"
 #include "tandem/shape/shape.h"
+#include "tandem/shape/transform.h"
 #include "tandem/tandem_export.h"
 
 namespace tandem {
 inline namespace v0 {
+
+/// A point of the first key and one of the second that belong together: the points of their outlines that are
+/// nearest to these.
+struct MorphPin {
+  Vec2 a;
+  Vec2 b;
+};
 
 struct MorphOptions {
   /// `rotate` empty: turns are looked for in the tangent norm and in a caller's own; the others say where the
@@ -24,6 +32,8 @@ struct MorphOptions {
   double least_gain = 0.3;
   /// PathMorph only; Morph is affine.
   BlendKind blend = BlendKind::automatic;
+  /// PathMorph of two keys only. The contours of a pin become one another.
+  std::vector<MorphPin> pins = {};
 };
 
 /// A morph through n key shapes: matching happens once, in the constructor; at(s) only blends.
