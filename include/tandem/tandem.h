@@ -29,6 +29,7 @@
 #include "tandem/rank/team.h"
 #include "tandem/shape/cubic_path.h"
 #include "tandem/shape/cut.h"
+#include "tandem/shape/cut_at.h"
 #include "tandem/shape/hermite_segments.h"
 #include "tandem/shape/intersections.h"
 #include "tandem/shape/measures.h"

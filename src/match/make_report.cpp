@@ -112,7 +112,7 @@ MatchReport make_report(const Samples& a, const SearchResult& found, const Match
 MatchReport make_report(const SegmentMatch& found, int dim, const MatchOptions& options) {
   MatchReport report;
   report.method = Method::segments;
-  report.norm = "derivative";
+  report.norm = options.segments.cost == SegmentCost::paper ? "paper" : "derivative";
   report.sampling = Sampling::parameter;
   const Node first = found.path.front();
   const Node last = found.path.back();

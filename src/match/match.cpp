@@ -199,7 +199,7 @@ Match match_by_segments(const Curve& a, const Curve& b, MatchOptions options, La
   if (options.rotation.empty() && options.rotate.value_or(false)) {
     options.rotation = common_rotation({&a, 1}, {&b, 1}, options).values();
   }
-  detail::SegmentPaths paths = detail::segment_paths(a, b, layout);
+  detail::SegmentPaths paths = detail::segment_paths(a, b, layout, options.pins);
   const double sample_seconds = watch.lap();
   const SegmentMatch found = detail::match_segment_paths(paths, options);
   if (found.cancelled) return cancelled_match(a, b, std::move(paths.samples));

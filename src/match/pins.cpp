@@ -85,9 +85,6 @@ MatchOptions settle_pins(const Curve& a, const Curve& b, MatchOptions options, L
   if (layout == Layout::pinned) {
     throw InvalidArgument("pins do not go with the pinned form of closed curves, which pins the ends");
   }
-  if (options.method == Method::segments) {
-    throw InvalidArgument("pins do not go with the segments method, which matches whole segments");
-  }
   if (options.reduction && options.reduction->coefficients) {
     throw InvalidArgument(
         "pins do not go with a number of coefficients: v could not pass through them; reduce by a tolerance");

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "match/pinned_path.h"
 #include "shape/cubic_fit.h"
 #include "tandem/match/rotation.h"
 
@@ -38,6 +39,37 @@ double parameter_at(const std::vector<double>& breaks, double x) {
   return lap == 0.0 ? t : t + lap * (breaks.back() - breaks.front());
 }
 
+/// The path's parameter that belongs to the curve's, inside of its domain.
+double path_parameter_at(const std::vector<double>& breaks, double t) {
+  const auto next = std::upper_bound(breaks.begin() + 1, breaks.end() - 1, t);
+  const double lo = *(next - 1);
+  return static_cast<double>(next - 1 - breaks.begin()) + (t - lo) / (*next - lo);
+}
+
+/// A curve as a path with joints at its pins.
+struct JointedPath {
+  CubicPath path;
+  std::vector<double> breaks;  ///< the curve's parameters at the joints
+  std::vector<double> pins;    ///< joints
+};
+
+JointedPath jointed_path(const Curve& curve, const std::vector<double>& pins, bool loop) {
+  const CubicPath path = to_cubic_path(curve, tolerance_for(curve));
+  const std::vector<double> breaks = cubic_breaks(curve, tolerance_for(curve));
+  std::vector<double> at;
+  for (const double pin : pins) at.push_back(path_parameter_at(breaks, pin));
+  PinnedPath split = split_at_pins(path, at, loop);
+  JointedPath result{std::move(split.path), {}, {}};
+  for (const double joint : split.joints) result.breaks.push_back(parameter_at(breaks, joint));
+  for (std::size_t k = 0; k < pins.size(); ++k) {
+    const std::size_t joint = split.pins[k];
+    // Split where it was asked for, to the bit.
+    if (split.joints[joint] == at[k]) result.breaks[joint] = pins[k];
+    result.pins.push_back(static_cast<double>(joint));
+  }
+  return result;
+}
+
 /// Nodes at the joints of the path, by the curve's parameters.
 Samples sample_joints(const CubicPath& path, const std::vector<double>& breaks, bool loop) {
   const std::size_t segments = path.segment_count();
@@ -61,20 +93,33 @@ Interval interval_at(const std::vector<double>& breaks, const Interval& x) {
 
 }  // namespace
 
-SegmentPaths segment_paths(const Curve& a, const Curve& b, Layout layout) {
-  CubicPath path_a = to_cubic_path(a, tolerance_for(a));
-  CubicPath path_b = to_cubic_path(b, tolerance_for(b));
-  std::vector<double> breaks_a = cubic_breaks(a, tolerance_for(a));
-  std::vector<double> breaks_b = cubic_breaks(b, tolerance_for(b));
+SegmentPaths segment_paths(const Curve& a, const Curve& b, Layout layout,
+                           std::span<const ParameterPair> pins) {
   const bool loop_a = layout == Layout::toroidal || layout == Layout::cut_a;
   const bool loop_b = layout == Layout::toroidal || layout == Layout::cut_b;
-  SamplePair samples{sample_joints(path_a, breaks_a, loop_a), sample_joints(path_b, breaks_b, loop_b)};
-  return {std::move(path_a), std::move(path_b), std::move(breaks_a), std::move(breaks_b), std::move(samples)};
+  std::vector<double> on_a;
+  std::vector<double> on_b;
+  for (const ParameterPair& pin : pins) {
+    on_a.push_back(pin.u);
+    on_b.push_back(pin.v);
+  }
+  JointedPath first = jointed_path(a, on_a, loop_a);
+  JointedPath second = jointed_path(b, on_b, loop_b);
+  std::vector<ParameterPair> joints;
+  for (std::size_t k = 0; k < pins.size(); ++k) joints.push_back({first.pins[k], second.pins[k]});
+  SamplePair samples{sample_joints(first.path, first.breaks, loop_a),
+                     sample_joints(second.path, second.breaks, loop_b)};
+  return {std::move(first.path),    std::move(second.path), std::move(first.breaks),
+          std::move(second.breaks), std::move(joints),      std::move(samples)};
 }
 
 SegmentMatch match_segment_paths(const SegmentPaths& paths, const MatchOptions& options) {
-  const SegmentOptions own{
-      .direction = options.direction, .closed = options.closed, .progress = options.progress};
+  const SegmentOptions own{.split = options.segments.split,
+                           .cost = options.segments.cost,
+                           .direction = options.direction,
+                           .closed = options.closed,
+                           .pins = paths.pins,
+                           .progress = options.progress};
   const Rotation turn =
       options.rotation.empty() ? Rotation(paths.a.dim()) : Rotation(paths.a.dim(), options.rotation);
   if (turn.is_identity()) return match_segments(paths.a, paths.b, own);

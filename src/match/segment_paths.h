@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "match/path_correspondence.h"
@@ -18,10 +19,13 @@ struct SegmentPaths {
   CubicPath b;
   std::vector<double> breaks_a;  ///< the curves' parameters at the joints
   std::vector<double> breaks_b;
-  SamplePair samples;  ///< at the joints
+  std::vector<ParameterPair> pins;  ///< joints of the paths
+  SamplePair samples;               ///< at the joints
 };
 
-[[nodiscard]] SegmentPaths segment_paths(const Curve& a, const Curve& b, Layout layout);
+/// pins: settled, in the curves' own parameters; the paths get joints there.
+[[nodiscard]] SegmentPaths segment_paths(const Curve& a, const Curve& b, Layout layout,
+                                         std::span<const ParameterPair> pins);
 
 /// The optimum, with b turned back by the rotation of the options.
 [[nodiscard]] SegmentMatch match_segment_paths(const SegmentPaths& paths, const MatchOptions& options);

@@ -263,7 +263,41 @@ class Search {
   std::vector<const SegmentArc*> arrival_;
 };
 
+/// Whether x is joint `pin` of an axis.
+bool is_joint(int x, int pin, int size, bool cyclic) {
+  return cyclic ? (x - pin) % size == 0 : x == pin;
+}
+
+/// Whether joint `pin` lies strictly between two joints.
+bool jumps_over(int from, int to, int pin, int size, bool cyclic) {
+  for (int x = from + 1; x < to; ++x) {
+    if (is_joint(x, pin, size, cyclic)) return true;
+  }
+  return false;
+}
+
 }  // namespace
+
+void keep_to_pins(SegmentArcs& arcs, std::span<const Node> pins) {
+  const bool rows_cyclic = arcs.rows_cyclic();
+  // Where a loop is cut to meet an open path, that path's two ends meet the same joint.
+  const bool cols_cyclic = arcs.cols_cyclic() || rows_cyclic;
+  const auto meets = [&](const Node& node, const Node& pin) {
+    return is_joint(node.i, pin.i, arcs.rows(), rows_cyclic) ==
+           is_joint(node.j, pin.j, arcs.cols(), cols_cyclic);
+  };
+  if (pins.empty()) return;
+  // A path gets to every row and every column, unless an arc jumps over it.
+  arcs.filter([&](std::size_t row, std::size_t col, const SegmentArc& arc) {
+    const Node from{static_cast<int>(row), static_cast<int>(col)};
+    const Node to{from.i + arc.rows, from.j + arc.cols};
+    return std::all_of(pins.begin(), pins.end(), [&](const Node& pin) {
+      return meets(from, pin) && meets(to, pin) &&
+             !jumps_over(from.i, to.i, pin.i, arcs.rows(), rows_cyclic) &&
+             !jumps_over(from.j, to.j, pin.j, arcs.cols(), cols_cyclic);
+    });
+  });
+}
 
 SegmentPath best_segment_path(SegmentArcs& arcs, double most, const Progress& progress) {
   if (most < kInfinity) drop_dear_arcs(arcs, most);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "match/segment_arcs.h"
@@ -16,6 +17,10 @@ struct SegmentPath {
   double cost = 0.0;
   bool cancelled = false;
 };
+
+/// Drops the arcs of the list that miss a pin: paths along the others meet all of them. pins: pairs of
+/// joints, by row and column; modulo the sizes where those are cyclic.
+void keep_to_pins(SegmentArcs& arcs, std::span<const Node> pins);
 
 /// The optimal path over the listed arcs that costs no more than `most`.
 ///

@@ -86,9 +86,9 @@ Progress part_of(const Progress& whole, int stage, int stages) {
   return [&whole, stage, stages](double fraction) { return whole((stage + fraction) / stages); };
 }
 
-/// The optimum in one direction, if it costs less than `beat`.
-SegmentPath run(const SegmentVectors& rows, const SegmentVectors& cols, const SegmentOptions& options,
-                double beat, int stage) {
+/// The optimum in one direction, if there is a path and it costs less than `beat`. pins: in rows and columns.
+SegmentPath run(const SegmentVectors& rows, const SegmentVectors& cols, const std::vector<Node>& pins,
+                const SegmentOptions& options, double beat, int stage) {
   const std::size_t few = std::min(rows.size(), cols.size());
   const std::size_t many = std::max(rows.size(), cols.size());
   const std::size_t needed = (many + few - 1) / few;
@@ -101,18 +101,22 @@ SegmentPath run(const SegmentVectors& rows, const SegmentVectors& cols, const Se
   // A path over short runs comes soon, and tells which of the long ones cannot be in the best one.
   SegmentArcs arcs(rows, cols, options.cost);
   arcs.list(std::min(longest, needed + 1), beat);
+  keep_to_pins(arcs, pins);
   SegmentPath first = best_segment_path(arcs, beat, part_of(options.progress, stage, 4));
   if (first.cancelled || longest <= needed + 1) return first;
   const double most = first.nodes.empty() ? beat : first.cost;
   arcs.list(longest, most);
+  keep_to_pins(arcs, pins);
   SegmentPath second = best_segment_path(arcs, most, part_of(options.progress, stage + 1, 4));
   return second.cancelled || !second.nodes.empty() ? second : first;
 }
 
 }  // namespace
 
-FoundSegments search_segments(const CubicPath& a, const CubicPath& b, Loops loops,
+FoundSegments search_segments(const CubicPath& a, const CubicPath& b, Loops loops, std::span<const Node> pins,
                               const SegmentOptions& options) {
+  const int m = static_cast<int>(a.segment_count());
+  const int n = static_cast<int>(b.segment_count());
   const double scale = scale_of(a, b);
   SegmentVectors vectors_a = segment_vectors(a, options.split, scale);
   SegmentVectors vectors_b = segment_vectors(b, options.split, scale);
@@ -124,18 +128,30 @@ FoundSegments search_segments(const CubicPath& a, const CubicPath& b, Loops loop
   const Ordered& rows = swapped ? own_b : own_a;
   const Ordered& cols = swapped ? own_a : own_b;
 
+  // Of the second axis the joints from `first` on, backwards where it is reversed.
+  const auto turned = [&](bool backward, int first) {
+    std::vector<Node> nodes;
+    for (const Node& pin : pins) {
+      const int row = swapped ? pin.j : pin.i;
+      const int col = swapped ? pin.i : pin.j;
+      nodes.push_back({row - rows.first, (backward ? (swapped ? m : n) - col : col) - first});
+    }
+    return nodes;
+  };
+
   FoundSegments found;
   SegmentPath best;
   int shift = 0;
   if (options.direction != Direction::reversed) {
-    best = run(rows.vectors, cols.vectors, options, std::numeric_limits<double>::infinity(), 0);
+    best = run(rows.vectors, cols.vectors, turned(false, cols.first), options,
+               std::numeric_limits<double>::infinity(), 0);
     shift = cols.first;
   }
   if (options.direction != Direction::forward && !best.cancelled) {
     const double beat =
         best.nodes.empty() ? std::numeric_limits<double>::infinity() : best.cost * (1.0 - kTie);
     const Ordered backward = in_order(reversed(swapped ? vectors_a : vectors_b));
-    SegmentPath path = run(rows.vectors, backward.vectors, options, beat, 2);
+    SegmentPath path = run(rows.vectors, backward.vectors, turned(true, backward.first), options, beat, 2);
     if (path.cancelled || !path.nodes.empty()) {
       best = std::move(path);
       found.reversed = true;
@@ -144,10 +160,13 @@ FoundSegments search_segments(const CubicPath& a, const CubicPath& b, Loops loop
   }
   found.cancelled = best.cancelled;
   if (best.cancelled) return found;
+  if (best.nodes.empty()) {
+    throw InvalidArgument(
+        "no path runs through all pins: they cross, or the segments between two of them are too many for the "
+        "longest run");
+  }
   found.cost = best.cost * scale * scale;
 
-  const int m = static_cast<int>(a.segment_count());
-  const int n = static_cast<int>(b.segment_count());
   for (const Node& node : best.nodes) {
     const int row = node.i + rows.first;
     const int col = node.j + shift;

@@ -5,8 +5,10 @@
 #include <string>
 #include <utility>
 
+#include "match/pinned_path.h"
 #include "match/segment_runs.h"
 #include "match/segment_search.h"
+#include "shape/sub_path.h"
 #include "tandem/error.h"
 
 namespace tandem {
@@ -60,41 +62,24 @@ Pieces cut(const std::vector<Node>& path, const SegmentVectors& a, const Segment
   return pieces;
 }
 
-/// Coordinate d of the polar form of a cubic; its control points are its values at (lo, lo, lo), .., and the
-/// points themselves at the ends.
-double polar(const std::array<std::span<const double>, 4>& p, std::size_t d, double r, double s, double t) {
-  const auto mix = [](double x, double y, double at) { return (1.0 - at) * x + at * y; };
-  const double x = mix(p[0][d], p[1][d], r);
-  const double y = mix(p[1][d], p[2][d], r);
-  const double z = mix(p[2][d], p[3][d], r);
-  return mix(mix(x, y, s), mix(y, z, s), t);
-}
-
 CubicPath redraw(const CubicPath& path, const std::vector<SegmentPiece>& pieces, bool closed) {
-  Points points(path.dim(), 3 * pieces.size() + 1);
-  for (std::size_t k = 0; k < pieces.size(); ++k) {
-    const auto segment = path.segment(pieces[k].segment);
-    const double from = pieces[k].from;
-    const double to = pieces[k].to;
-    for (std::size_t d = 0; d < segment[0].size(); ++d) {
-      points[3 * k][d] = polar(segment, d, from, from, from);
-      points[3 * k + 1][d] = polar(segment, d, from, from, to);
-      points[3 * k + 2][d] = polar(segment, d, from, to, to);
-      points[3 * k + 3][d] = polar(segment, d, to, to, to);
-    }
-  }
-  return CubicPath(std::move(points), closed);
+  std::vector<SegmentPart> parts;
+  parts.reserve(pieces.size());
+  for (const SegmentPiece& piece : pieces) parts.push_back({piece.segment, piece.from, piece.to});
+  return join_parts(path, parts, closed);
 }
 
-/// The parameters of the pieces' ends, running on past the path's end: one more than pieces.
-std::vector<double> parameters(const std::vector<SegmentPiece>& pieces, std::size_t segments) {
+/// The parameters of the pieces' ends, running on past the path's end (before its start where they fall): one
+/// more than pieces.
+std::vector<double> parameters(const std::vector<SegmentPiece>& pieces, std::size_t segments, bool falling) {
+  const double period = falling ? -static_cast<double>(segments) : static_cast<double>(segments);
   std::vector<double> at;
   double lap = 0.0;
   for (const SegmentPiece& piece : pieces) {
     double t = lap + (static_cast<double>(piece.segment) + piece.from);
-    if (!at.empty() && t < at.back()) {
-      lap += static_cast<double>(segments);
-      t += static_cast<double>(segments);
+    if (!at.empty() && (falling ? t > at.back() : t < at.back())) {
+      lap += period;
+      t += period;
     }
     at.push_back(t);
   }
@@ -102,13 +87,14 @@ std::vector<double> parameters(const std::vector<SegmentPiece>& pieces, std::siz
   return at;
 }
 
+/// Of pieces of the paths as they were.
 Correspondence correspondence_of(const Pieces& pieces, const CubicPath& a, const CubicPath& b, Loops loops,
                                  bool reversed) {
-  const std::vector<double> u = parameters(pieces.a, a.segment_count());
-  const std::vector<double> v = parameters(pieces.b, b.segment_count());
+  const std::vector<double> u = parameters(pieces.a, a.segment_count(), false);
+  const std::vector<double> v = parameters(pieces.b, b.segment_count(), reversed);
   const double last_v = static_cast<double>(b.segment_count());
   Correspondence c;
-  for (std::size_t k = 0; k < u.size(); ++k) c.points.push_back({u[k], reversed ? last_v - v[k] : v[k]});
+  for (std::size_t k = 0; k < u.size(); ++k) c.points.push_back({u[k], v[k]});
   c.closed = loops.a && loops.b;
   c.reversed = reversed;
   c.domain_u = {0.0, static_cast<double>(a.segment_count())};
@@ -147,6 +133,55 @@ int shift_of(const Node& first, std::size_t segments_a, std::size_t segments_b) 
   return static_cast<int>(wrap(first.j - along, segments_b));
 }
 
+/// Both paths with joints at their pins.
+struct PinnedPaths {
+  detail::PinnedPath a;
+  detail::PinnedPath b;
+  std::vector<Node> pins;
+};
+
+PinnedPaths split_at_pins(const CubicPath& a, const CubicPath& b, Loops loops,
+                          const std::vector<ParameterPair>& pins) {
+  std::vector<double> on_a;
+  std::vector<double> on_b;
+  for (const ParameterPair& pin : pins) {
+    const auto inside = [](double t, const CubicPath& path) {
+      return t >= 0.0 && t <= static_cast<double>(path.segment_count());
+    };
+    if (!inside(pin.u, a) || !inside(pin.v, b)) {
+      throw InvalidArgument("a pin is at u = " + std::to_string(pin.u) + ", v = " + std::to_string(pin.v) +
+                            ", expected parameters of the paths: within [0, " +
+                            std::to_string(a.segment_count()) + "] and [0, " +
+                            std::to_string(b.segment_count()) + "]");
+    }
+    on_a.push_back(pin.u);
+    on_b.push_back(pin.v);
+  }
+  PinnedPaths split{detail::split_at_pins(a, on_a, loops.a), detail::split_at_pins(b, on_b, loops.b), {}};
+  for (std::size_t k = 0; k < pins.size(); ++k) {
+    split.pins.push_back({static_cast<int>(split.a.pins[k]), static_cast<int>(split.b.pins[k])});
+  }
+  return split;
+}
+
+/// What belongs together along the path, in pieces of the split paths; reversed ones run backwards.
+Pieces pieces_along(const FoundSegments& found, const PinnedPaths& split, Loops loops, SegmentSplit rule) {
+  // Only ratios of lengths count here.
+  const SegmentVectors a = detail::segment_vectors(split.a.path, rule, 1.0);
+  const SegmentVectors b = detail::segment_vectors(split.b.path, rule, 1.0);
+  Pieces pieces = cut(found.path, a, found.reversed ? detail::reversed(b) : b);
+  if (loops.a && loops.b) {
+    const auto first = static_cast<std::ptrdiff_t>(pieces.first);
+    std::rotate(pieces.a.begin(), pieces.a.begin() + first, pieces.a.end());
+    std::rotate(pieces.b.begin(), pieces.b.begin() + first, pieces.b.end());
+  }
+  if (found.reversed) {
+    for (SegmentPiece& piece : pieces.b)
+      piece = {b.size() - 1 - piece.segment, 1.0 - piece.from, 1.0 - piece.to};
+  }
+  return pieces;
+}
+
 }  // namespace
 
 SegmentMatch match_segments(const CubicPath& a, const CubicPath& b, const SegmentOptions& options) {
@@ -159,34 +194,24 @@ SegmentMatch match_segments(const CubicPath& a, const CubicPath& b, const Segmen
                           ", expected a number of segments, or 0 for any");
   }
   const Loops loops = choose_loops(a, b, options.closed);
-  FoundSegments found = detail::search_segments(a, b, loops, options);
+  const PinnedPaths split = split_at_pins(a, b, loops, options.pins);
+  FoundSegments found = detail::search_segments(split.a.path, split.b.path, loops, split.pins, options);
   if (found.cancelled) {
     SegmentMatch cancelled{a, b, {}, {}};
     cancelled.cancelled = true;
     return cancelled;
   }
-  // Only ratios of lengths count here.
-  const SegmentVectors vectors_a = detail::segment_vectors(a, options.split, 1.0);
-  const SegmentVectors vectors_b = detail::segment_vectors(b, options.split, 1.0);
-  Pieces pieces = cut(found.path, vectors_a, found.reversed ? detail::reversed(vectors_b) : vectors_b);
-  if (loops.a && loops.b) {
-    const auto first = static_cast<std::ptrdiff_t>(pieces.first);
-    std::rotate(pieces.a.begin(), pieces.a.begin() + first, pieces.a.end());
-    std::rotate(pieces.b.begin(), pieces.b.begin() + first, pieces.b.end());
-  }
+  Pieces pieces = pieces_along(found, split, loops, options.split);
+  for (SegmentPiece& piece : pieces.a) piece = split.a.original(piece);
+  for (SegmentPiece& piece : pieces.b) piece = split.b.original(piece);
   Correspondence correspondence = correspondence_of(pieces, a, b, loops, found.reversed);
-  if (found.reversed) {
-    for (SegmentPiece& piece : pieces.b) {
-      piece = {b.segment_count() - 1 - piece.segment, 1.0 - piece.from, 1.0 - piece.to};
-    }
-  }
   const bool closed = a.is_closed() && b.is_closed();
   SegmentMatch match{redraw(a, pieces.a, closed), redraw(b, pieces.b, closed), std::move(pieces.a),
                      std::move(pieces.b)};
   match.cost = found.cost;
   match.direction = found.reversed ? Direction::reversed : Direction::forward;
   if (loops.a || loops.b) {
-    match.shift = shift_of(found.path.front(), a.segment_count(), b.segment_count());
+    match.shift = shift_of(found.path.front(), split.a.path.segment_count(), split.b.path.segment_count());
   }
   match.path = std::move(found.path);
   match.correspondence = std::move(correspondence);

@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <span>
 #include <utility>
 
 #include "match/vector.h"
+#include "shape/sub_path.h"
 #include "tandem/error.h"
 
 namespace tandem {
@@ -25,63 +25,16 @@ constexpr double kCorner = 0.05;
 // A joint where only one path has a corner should not be dragged as far as others.
 constexpr double kMixedCost = 2.0;
 
+// Parameters of paths are right to this.
+constexpr double kRounding = 1e-9;
+
 double wrapped(const CubicPath& path, double parameter) {
   const auto n = static_cast<double>(path.segment_count());
   return path.is_closed() ? parameter - std::floor(parameter / n) * n : std::clamp(parameter, 0.0, n);
 }
 
-/// The segment that holds the middle of [from, to], and where both ends lie in it.
-struct Piece {
-  std::size_t segment;
-  double t0;
-  double t1;
-};
-
-Piece piece_between(const CubicPath& path, double from, double to) {
-  const double n = static_cast<double>(path.segment_count());
-  const double middle = std::floor(0.5 * from + 0.5 * to);
-  const double lap = path.is_closed() ? std::floor(middle / n) * n : 0.0;
-  const double segment = std::clamp(middle - lap, 0.0, n - 1.0);
-  const auto local = [&](double parameter) { return std::clamp(parameter - lap - segment, 0.0, 1.0); };
-  return {static_cast<std::size_t>(segment), local(from), local(to)};
-}
-
 double lerp(double x, double y, double t) {
   return (1.0 - t) * x + t * y;
-}
-
-/// The blossom of one coordinate of a cubic: affine in each argument.
-double blossom(const std::array<double, 4>& p, double r, double s, double t) {
-  const double a = lerp(p[0], p[1], r);
-  const double b = lerp(p[1], p[2], r);
-  const double c = lerp(p[2], p[3], r);
-  return lerp(lerp(a, b, s), lerp(b, c, s), t);
-}
-
-/// Appends the piece of a segment; the first point only to an empty list.
-void append_piece(Points& points, const CubicPath& path, const Piece& piece) {
-  const auto segment = path.segment(piece.segment);
-  const std::size_t dim = segment[0].size();
-  std::array<Point, 4> cut;
-  const double a = piece.t0;
-  const double b = piece.t1;
-  for (Point& p : cut) p.resize(dim);
-  for (std::size_t c = 0; c < dim; ++c) {
-    const std::array<double, 4> p = {segment[0][c], segment[1][c], segment[2][c], segment[3][c]};
-    cut[0][c] = blossom(p, a, a, a);
-    cut[1][c] = blossom(p, a, a, b);
-    cut[2][c] = blossom(p, a, b, b);
-    cut[3][c] = blossom(p, b, b, b);
-  }
-  // Ends of segments are theirs to the bit.
-  const auto exact = [&](double t, Point& p) {
-    if (t == 0.0) p.assign(segment[0].begin(), segment[0].end());
-    if (t == 1.0) p.assign(segment[3].begin(), segment[3].end());
-  };
-  exact(a, cut[0]);
-  exact(b, cut[3]);
-  if (points.empty()) points.push_back(cut[0]);
-  for (std::size_t k = 1; k < 4; ++k) points.push_back(cut[k]);
 }
 
 /// Length along a path by its parameters, as a share of the whole: chords of equal parts of each segment.
@@ -96,8 +49,7 @@ class LengthShare {
       for (std::size_t k = 1; k <= kParts; ++k) {
         const double t = static_cast<double>(k) / kParts;
         Point to(from.size());
-        for (std::size_t c = 0; c < to.size(); ++c)
-          to[c] = blossom({p[0][c], p[1][c], p[2][c], p[3][c]}, t, t, t);
+        for (std::size_t c = 0; c < to.size(); ++c) to[c] = cubic_at({p[0][c], p[1][c], p[2][c], p[3][c]}, t);
         sums_.push_back(sums_.back() + distance(from, to));
         from = std::move(to);
       }
@@ -363,35 +315,48 @@ class Aligner {
   std::vector<Joint> joints_;
 };
 
-}  // namespace
-
-CubicPath cut_at(const CubicPath& path, const std::vector<double>& cuts, bool closed) {
-  if (cuts.size() < 2) throw InvalidArgument("cut_at: fewer than two cuts");
-  Points points;
-  for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
-    append_piece(points, path, piece_between(path, cuts[i], cuts[i + 1]));
-  }
-  if (closed) {  // the ends meet up to rounding only
-    const auto front = std::as_const(points).front();
-    std::copy(front.begin(), front.end(), points[points.size() - 1].begin());
-  }
-  return CubicPath(std::move(points), closed);
-}
-
-AlignedPaths align(const CubicPath& a, const CubicPath& b, const Correspondence& correspondence,
-                   const AlignOptions& options) {
+void check(const CubicPath& a, const CubicPath& b, const Correspondence& correspondence) {
   if (a.dim() != b.dim()) {
     throw InvalidArgument(fmt::format("align: the paths have dimensions {} and {}", a.dim(), b.dim()));
   }
   const auto fits = [](const CubicPath& path, const Interval& domain) {
     // A closed path that was cut has its domain elsewhere, with a rounding.
-    return std::fabs(domain.length() - static_cast<double>(path.segment_count())) <= 1e-9;
+    return std::fabs(domain.length() - static_cast<double>(path.segment_count())) <= kRounding;
   };
   if (correspondence.points.size() < 2 || !fits(a, correspondence.domain_u) ||
       !fits(b, correspondence.domain_v)) {
     throw InvalidArgument("align: the correspondence is not one of these paths' own parameters");
   }
+}
+
+/// Whether a joint lies between two parameters.
+bool reaches_over(double from, double to) {
+  return std::floor(std::min(from, to) + kRounding) + 1.0 < std::max(from, to) - kRounding;
+}
+
+}  // namespace
+
+AlignedPaths align(const CubicPath& a, const CubicPath& b, const Correspondence& correspondence,
+                   const AlignOptions& options) {
+  check(a, b, correspondence);
   return Aligner(a, b, correspondence, options).run();
+}
+
+AlignedPaths cut_in_step(const CubicPath& a, const CubicPath& b, const Correspondence& correspondence) {
+  check(a, b, correspondence);
+  std::vector<double> cuts_a;
+  std::vector<double> cuts_b;
+  for (const ParameterPair& point : correspondence.points) {
+    if (!cuts_a.empty() && (reaches_over(cuts_a.back(), point.u) || reaches_over(cuts_b.back(), point.v))) {
+      throw InvalidArgument(fmt::format(
+          "align: the correspondence reaches over a joint between (u = {}, v = {}) and (u = {}, v = {})",
+          cuts_a.back(), cuts_b.back(), point.u, point.v));
+    }
+    cuts_a.push_back(point.u);
+    cuts_b.push_back(point.v);
+  }
+  return {cut_at(a, cuts_a, correspondence.closed), cut_at(b, cuts_b, correspondence.closed),
+          std::move(cuts_a)};
 }
 
 }  // namespace v0

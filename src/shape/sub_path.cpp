@@ -14,24 +14,28 @@ namespace {
 
 using Cubic = std::array<Vec2, 4>;
 
-Vec2 blend(Vec2 a, Vec2 b, double t) {
-  return {(1.0 - t) * a.x + t * b.x, (1.0 - t) * a.y + t * b.y};
+double lerp(double x, double y, double t) {
+  return (1.0 - t) * x + t * y;
 }
 
-Cubic segment_of(const CubicPath& path, std::size_t i) {
-  Cubic cubic;
-  for (std::size_t k = 0; k < 4; ++k) cubic[k] = {path.segment(i)[k][0], path.segment(i)[k][1]};
-  return cubic;
+/// The polar form of one coordinate of a cubic: affine in each argument. The control points of the part from
+/// r to t are its values at (r, r, r), (r, r, t), (r, t, t) and (t, t, t).
+double polar(const std::array<double, 4>& p, double r, double s, double t) {
+  const double x = lerp(p[0], p[1], r);
+  const double y = lerp(p[1], p[2], r);
+  const double z = lerp(p[2], p[3], r);
+  return lerp(lerp(x, y, s), lerp(y, z, s), t);
 }
 
-std::pair<Cubic, Cubic> split(const Cubic& c, double t) {
-  const Vec2 p01 = blend(c[0], c[1], t);
-  const Vec2 p12 = blend(c[1], c[2], t);
-  const Vec2 p23 = blend(c[2], c[3], t);
-  const Vec2 q = blend(p01, p12, t);
-  const Vec2 r = blend(p12, p23, t);
-  const Vec2 m = blend(q, r, t);
-  return {{c[0], p01, q, m}, {m, r, p23, c[3]}};
+std::array<double, 4> coordinate(const CubicPath& path, std::size_t segment, std::size_t c) {
+  const auto p = path.segment(segment);
+  return {p[0][c], p[1][c], p[2][c], p[3][c]};
+}
+
+Cubic part_of(const CubicPath& path, std::size_t segment, double from, double to) {
+  const std::array<double, 4> x = cubic_part(coordinate(path, segment, 0), from, to);
+  const std::array<double, 4> y = cubic_part(coordinate(path, segment, 1), from, to);
+  return {{{x[0], y[0]}, {x[1], y[1]}, {x[2], y[2]}, {x[3], y[3]}}};
 }
 
 struct Location {
@@ -53,11 +57,6 @@ class PieceBuilder {
     for (std::size_t k = 1; k < 4; ++k) push(c[k]);
     chords_.push_back(chord);
   }
-  // Parts of a segment end where the other piece's part begins, to the last bit.
-  void end_at(Vec2 p) {
-    points_[points_.size() - 1][0] = p.x;
-    points_[points_.size() - 1][1] = p.y;
-  }
   CutPiece close() {
     const Vec2 a{points_[points_.size() - 1][0], points_[points_.size() - 1][1]};
     const Vec2 b{points_[0][0], points_[0][1]};
@@ -74,9 +73,35 @@ class PieceBuilder {
 
 }  // namespace
 
+double cubic_at(const std::array<double, 4>& p, double t) {
+  if (t == 0.0) return p[0];
+  if (t == 1.0) return p[3];
+  return polar(p, t, t, t);
+}
+
+std::array<double, 4> cubic_part(const std::array<double, 4>& p, double from, double to) {
+  return {cubic_at(p, from), polar(p, from, from, to), polar(p, from, to, to), cubic_at(p, to)};
+}
+
+CubicPath join_parts(const CubicPath& path, std::span<const SegmentPart> parts, bool closed) {
+  Points points(path.dim(), 3 * parts.size() + 1);
+  for (std::size_t c = 0; c < static_cast<std::size_t>(path.dim()); ++c) {
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+      const SegmentPart& part = parts[k];
+      const std::array<double, 4> cut = cubic_part(coordinate(path, part.segment, c), part.from, part.to);
+      for (std::size_t i = k == 0 ? 0 : 1; i < 4; ++i) points[3 * k + i][c] = cut[i];
+    }
+  }
+  if (closed) {  // the ends meet up to rounding only
+    const auto front = std::as_const(points).front();
+    std::copy(front.begin(), front.end(), points[points.size() - 1].begin());
+  }
+  return CubicPath(std::move(points), closed);
+}
+
 Vec2 point_at(const CubicPath& path, double u) {
   const auto [segment, t] = locate(path, u);
-  return t == 0.0 ? segment_of(path, segment)[0] : split(segment_of(path, segment), t).first[3];
+  return {cubic_at(coordinate(path, segment, 0), t), cubic_at(coordinate(path, segment, 1), t)};
 }
 
 CutPiece close_by_chord(const CutPiece& piece, double u, double v) {
@@ -84,20 +109,16 @@ CutPiece close_by_chord(const CutPiece& piece, double u, double v) {
   const Location to = locate(piece.path, v);
   const std::size_t count = piece.path.segment_count();
   PieceBuilder builder(point_at(piece.path, u));
+  const auto add = [&](std::size_t segment, double first, double last) {
+    builder.add(part_of(piece.path, segment, first, last), piece.chords[segment]);
+  };
   if (from.segment == to.segment && u < v) {
-    const Cubic head = split(segment_of(piece.path, to.segment), to.t).first;
-    builder.add(from.t == 0.0 ? head : split(head, from.t / to.t).second, piece.chords[from.segment]);
+    add(from.segment, from.t, to.t);
   } else {
-    const Cubic whole = segment_of(piece.path, from.segment);
-    builder.add(from.t == 0.0 ? whole : split(whole, from.t).second, piece.chords[from.segment]);
-    for (std::size_t i = (from.segment + 1) % count; i != to.segment; i = (i + 1) % count) {
-      builder.add(segment_of(piece.path, i), piece.chords[i]);
-    }
-    if (to.t > 0.0) {
-      builder.add(split(segment_of(piece.path, to.segment), to.t).first, piece.chords[to.segment]);
-    }
+    add(from.segment, from.t, 1.0);
+    for (std::size_t i = (from.segment + 1) % count; i != to.segment; i = (i + 1) % count) add(i, 0.0, 1.0);
+    if (to.t > 0.0) add(to.segment, 0.0, to.t);
   }
-  builder.end_at(point_at(piece.path, v));
   return builder.close();
 }
 

@@ -13,6 +13,7 @@
 #include "tandem/match/programme.h"
 #include "tandem/match/reparametrization.h"
 #include "tandem/match/samples.h"
+#include "tandem/match/segment_rules.h"
 #include "tandem/match/validity.h"
 #include "tandem/progress.h"
 #include "tandem/tandem_export.h"
@@ -49,6 +50,7 @@ struct MatchOptions {
   std::optional<Sampling> sampling = {};  ///< elastic: arc, paper: parameter
   FeatureOptions features = {};
   ElasticOptions elastic = {};
+  SegmentRules segments = {};
   /// elastic: tolerance 1e-3, order 2; paper: 20 coefficients, order 2.
   std::optional<ReductionOptions> reduction = {};
   Direction direction = Direction::automatic;
@@ -60,9 +62,9 @@ struct MatchOptions {
   ClosedMode closed = ClosedMode::automatic;
   /// Pairs of parameters (u of the first curve, v of the second) that the correspondence must go through, in
   /// any order. Both curves get nodes there, and the match is the optimum among the paths through those.
-  /// Three pins on loops, or two on open curves, fix the direction. Not with ClosedMode::pinned, nor with
-  /// Method::segments, nor with a number of coefficients; `paper` reduces by tolerance then, and
-  /// coarse_to_fine means nothing.
+  /// Three pins on loops, or two on open curves, fix the direction. Not with ClosedMode::pinned, nor with a
+  /// number of coefficients; `paper` reduces by tolerance then, and coarse_to_fine means nothing. `segments`
+  /// splits segments at pins, and takes a pin within 1e-6 of a segment to a joint for that joint.
   std::vector<ParameterPair> pins = {};
   double corner_angle = 0.05;  ///< see SampleOptions
   double low_pass = 0.0;       ///< see SampleOptions
@@ -75,7 +77,8 @@ struct MatchOptions {
 /// What was found and how good it is; the fields of `tandem match --json` (docs/interface.md).
 struct MatchReport {
   Method method = Method::elastic;
-  std::string norm;  ///< "tangent", "ruled", "distance", "bottleneck" or "user"; segments: "derivative"
+  /// "tangent", "ruled", "distance", "bottleneck" or "user"; segments: "derivative" or "paper"
+  std::string norm;
   Sampling sampling = Sampling::arc;
   std::array<int, 2> samples = {0, 0};  ///< the real number of nodes; segments: of joints
   double cost = 0.0;  ///< paper: [C] eq. (7) with 2m per invalid node; elastic: the integral; segments: D5

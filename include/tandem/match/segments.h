@@ -6,27 +6,13 @@
 #include "tandem/match/correspondence.h"
 #include "tandem/match/cost_table.h"
 #include "tandem/match/match.h"
+#include "tandem/match/segment_rules.h"
 #include "tandem/progress.h"
 #include "tandem/shape/cubic_path.h"
 #include "tandem/tandem_export.h"
 
 namespace tandem {
 inline namespace v0 {
-
-/// Where one segment is split that meets k others.
-enum class SegmentSplit {
-  proportional,  ///< in proportion to the arc lengths of the k segments
-  uniform,       ///< at 1/k, 2/k, .. of its parameter ([D] section 4.2)
-};
-
-/// What it costs to blend a piece of one segment with another segment.
-enum class SegmentCost {
-  /// The integral of |a'(t) - b'(t)|^2, one segment and the k that it meets run through in the same unit of
-  /// time: does not change when both are subdivided alike (spec D5).
-  derivative,
-  /// [D] section 4.1: |T0 - T1|^2 + |T1 - T2|^2 + |T2 - T3|^2, T_i = P_i' - P_i, summed over the pieces.
-  paper,
-};
 
 struct SegmentOptions {
   SegmentSplit split = SegmentSplit::proportional;
@@ -37,6 +23,10 @@ struct SegmentOptions {
   /// automatic: two closed paths meet at the best pair of joints; one closed path is cut where that is best.
   /// `pinned` is none of this method's.
   ClosedMode closed = ClosedMode::automatic;
+  /// Pairs of points that belong together: parameters of to_curve() of the two paths. Segments are split
+  /// there first (exactly; within 1e-6 of a joint it is the joint that is meant), and the match is the
+  /// optimum among the paths through those nodes.
+  std::vector<ParameterPair> pins = {};
   Progress progress = {};
 };
 
@@ -59,9 +49,9 @@ struct SegmentMatch {
   double cost = 0.0;
   Direction direction = Direction::forward;
   int shift = 0;  ///< in joints of the second path, as MatchReport::shift
-  /// The pairs of joints that were matched: those of the first path and of the second one as run through
-  /// (from its end where reversed). Loops: from the first pair at or after the first path's start, once
-  /// round, so that the last is the first plus (m, n).
+  /// The pairs of joints (points of pins are joints, too) that were matched: those of the first path and of
+  /// the second one as run through (from its end where reversed). Loops: from the first pair at or after the
+  /// first path's start, once round, so that the last is the first plus (m, n).
   std::vector<Node> path = {};
   /// In parameters of to_curve() of the inputs: one point per joint of the output. Linear between, as the
   /// programme has it.
@@ -80,7 +70,8 @@ struct SegmentMatch {
 /// For m and n segments there are m n (m + n) edges; those that cost more than a whole matching are sorted
 /// out unseen where the lengths tell. Closed paths take as many programmes as the search needs.
 /// @throws InvalidArgument the dimensions differ, an open path where ClosedMode wants closed ones, `pinned`,
-/// longest_run is negative or too small for the numbers of segments
+/// longest_run is negative or too small for the numbers of segments, pins outside of the paths or such that
+/// no path runs through all of them
 [[nodiscard]] TANDEM_EXPORT SegmentMatch match_segments(const CubicPath& a, const CubicPath& b,
                                                         const SegmentOptions& options = {});
 

@@ -4,6 +4,7 @@
 
 #include "tandem/match/correspondence.h"
 #include "tandem/shape/cubic_path.h"
+#include "tandem/shape/cut_at.h"
 #include "tandem/tandem_export.h"
 
 namespace tandem {
@@ -42,11 +43,11 @@ struct AlignedPaths {
                                                const Correspondence& correspondence,
                                                const AlignOptions& options = {});
 
-/// The path cut at these parameters, which may start and end anywhere on a closed one: its pieces between two
-/// neighbouring cuts, none of which reaches over a joint. Descending cuts turn the path round.
-/// closed: the pieces go round once, and are joined into a closed path.
-[[nodiscard]] TANDEM_EXPORT CubicPath cut_at(const CubicPath& path, const std::vector<double>& cuts,
-                                             bool closed);
+/// Redraws two paths by nothing but the points of their correspondence: with one of match_segments(), the
+/// number of segments is its own (spec D6).
+/// @throws InvalidArgument as align(); a piece reaches over a joint of its path
+[[nodiscard]] TANDEM_EXPORT AlignedPaths cut_in_step(const CubicPath& a, const CubicPath& b,
+                                                     const Correspondence& correspondence);
 
 }  // namespace v0
 }  // namespace tandem
