@@ -28,7 +28,7 @@ struct Command {
   CommonFlags common;
   MatchFlags match;
   RankFlags rank;
-  std::string blend = "auto";
+  std::string blend;  ///< empty: the method's own
   std::string frames;
   std::string at;
   std::string duration = "2";

@@ -16,6 +16,8 @@ using tandem::Method;
 using tandem::NormKind;
 using tandem::ReductionOptions;
 using tandem::Sampling;
+using tandem::SegmentCost;
+using tandem::SegmentSplit;
 
 // The tables take about 20 bytes per pair of nodes (paper) and up to 50 (elastic): these numbers need 2 GB.
 constexpr int kMostPaperSamples = 10'000;
@@ -74,6 +76,8 @@ void add_match_flags(CLI::App& command, MatchFlags& flags) {
   option("--order", flags.order, "K", "Order of v: 2 is piecewise linear (default)");
   option("--direction", flags.direction, "NAME", "auto (default), forward, reversed");
   option("--closed", flags.closed, "NAME", "auto (default), yes, no, pinned");
+  option("--split", flags.split, "NAME", "segments: proportional (default), uniform");
+  option("--segment-cost", flags.segment_cost, "NAME", "segments: derivative (default), paper");
   option("--low-pass", flags.low_pass, "X",
          "Smooth the samples first: deviation as a share of the length (0)");
   option("--threads", flags.threads, "N", "Threads to use (all); the result does not depend on it");
@@ -102,7 +106,27 @@ void refuse_samples(const MatchFlags& flags) {
   refuse(!flags.low_pass.empty(), "--low-pass");
   refuse(flags.fast, "--fast");
   refuse(flags.closed == "pinned", "--closed pinned");
-  refuse(!flags.pins.empty(), "--pin");
+}
+
+/// The other methods know no segments.
+void refuse_segments(const MatchFlags& flags) {
+  if (!flags.split.empty()) throw UsageError("--split goes with --method segments only");
+  if (!flags.segment_cost.empty()) throw UsageError("--segment-cost goes with --method segments only");
+}
+
+tandem::SegmentRules parse_rules(const MatchFlags& flags) {
+  tandem::SegmentRules rules;
+  if (!flags.split.empty()) {
+    rules.split = choose<SegmentSplit>(
+        "--split", flags.split,
+        {{"proportional", SegmentSplit::proportional}, {"uniform", SegmentSplit::uniform}});
+  }
+  if (!flags.segment_cost.empty()) {
+    rules.cost =
+        choose<SegmentCost>("--segment-cost", flags.segment_cost,
+                            {{"derivative", SegmentCost::derivative}, {"paper", SegmentCost::paper}});
+  }
+  return rules;
 }
 
 /// What would not pass through pins.
@@ -131,7 +155,12 @@ MatchOptions to_match_options(const MatchFlags& flags) {
   options.method = choose<Method>(
       "--method", flags.method,
       {{"elastic", Method::elastic}, {"paper", Method::paper}, {"segments", Method::segments}});
-  if (options.method == Method::segments) refuse_samples(flags);
+  if (options.method == Method::segments) {
+    refuse_samples(flags);
+    options.segments = parse_rules(flags);
+  } else {
+    refuse_segments(flags);
+  }
   if (!flags.pins.empty()) refuse_free_ends(flags);
   options.norm = choose<NormKind>("--norm", flags.norm,
                                   {{"tangent", NormKind::tangent},

@@ -29,6 +29,8 @@ struct MatchFlags {
   std::string order;
   std::string direction = "auto";
   std::string closed = "auto";
+  std::string split;  ///< of segments, as the next one
+  std::string segment_cost;
   std::string low_pass;
   std::string threads;
   bool fast = false;

@@ -30,14 +30,16 @@ Plan make_plan(const Command& command) {
   plan.output = plan_morph_output(command);
   plan.morph.match = to_match_options(command.match);
   plan.morph.pins = parse_pins(command.match.pins);
-  plan.morph.blend = choose<BlendKind>("--blend", command.blend,
-                                       {{"auto", BlendKind::automatic},
-                                        {"affine", BlendKind::affine},
-                                        {"bezier", BlendKind::bezier},
-                                        {"hermite", BlendKind::hermite},
-                                        {"similarity", BlendKind::similarity},
-                                        {"intrinsic", BlendKind::intrinsic},
-                                        {"detour", BlendKind::detour}});
+  if (!command.blend.empty()) {
+    plan.morph.blend = choose<BlendKind>("--blend", command.blend,
+                                         {{"auto", BlendKind::automatic},
+                                          {"affine", BlendKind::affine},
+                                          {"bezier", BlendKind::bezier},
+                                          {"hermite", BlendKind::hermite},
+                                          {"similarity", BlendKind::similarity},
+                                          {"intrinsic", BlendKind::intrinsic},
+                                          {"detour", BlendKind::detour}});
+  }
   return plan;
 }
 

@@ -31,6 +31,7 @@ class HermiteContour final : public ContourBlend {
   HermiteContour(const CubicPath& a, const CubicPath& b) : blend_(a, b) {}
 
   void at(double s, std::span<double> points) const override { blend_.at(s, points); }
+  [[nodiscard]] bool keeps_line(std::size_t i) const override { return blend_.is_straight(i); }
 
  private:
   HermiteBlend blend_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <span>
 #include <vector>
@@ -24,6 +25,8 @@ class ContourBlend {
   virtual void at(double s, std::span<double> points) const = 0;
   /// Whether at(s) is (1 - s) a + s b.
   [[nodiscard]] virtual bool is_linear() const { return false; }
+  /// Whether segment i, a straight line in both paths, is one all the way.
+  [[nodiscard]] virtual bool keeps_line([[maybe_unused]] std::size_t i) const { return true; }
 };
 
 /// kind: affine, hermite or intrinsic.

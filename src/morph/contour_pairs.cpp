@@ -69,6 +69,8 @@ class Pairing {
     options_.rotation = turn.values();
     options_.progress = {};
     options_.features.lenient = true;
+    // What segments cost depends on the size, and is not to be weighed against distances.
+    if (options_.method == Method::segments) options_.method = Method::elastic;
   }
 
   std::vector<std::optional<std::size_t>> run() {

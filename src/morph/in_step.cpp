@@ -9,12 +9,30 @@
 #include "tandem/curve/compatible.h"
 #include "tandem/curve/edit.h"
 #include "tandem/error.h"
+#include "tandem/shape/cubic_path.h"
+#include "tandem/shape/cut_at.h"
 
 namespace tandem {
 inline namespace v0 {
 namespace {
 
 using Matches = std::vector<std::optional<Match>>;
+
+// Curves that are no cubics are met within this share of their size.
+constexpr double kFitTolerance = 1e-6;
+
+CubicPath as_path(const Curve& curve) {
+  const double size = curve.extent();
+  return to_cubic_path(curve, size > 0.0 ? kFitTolerance * size : kFitTolerance);
+}
+
+std::vector<Shape> as_cubics(std::span<const Shape> keys) {
+  std::vector<Shape> cubics(keys.begin(), keys.end());
+  for (Shape& key : cubics) {
+    for (Curve& contour : key.contours) contour = to_curve(as_path(contour));
+  }
+  return cubics;
+}
 
 // One contour through the keys so far; empty where a key has none, or a mere point.
 struct Chain {
@@ -33,6 +51,20 @@ struct Chain {
       }
     }
     curves[key] = std::move(curve);
+    last = key;
+  }
+  // The same of a match of segments: all keys are cut where it says.
+  void set_in_segments(std::size_t key, const Curve& curve, const Correspondence& c) {
+    std::vector<double> u;
+    std::vector<double> v;
+    for (const ParameterPair& point : c.points) {
+      u.push_back(point.u);
+      v.push_back(point.v);
+    }
+    for (std::optional<Curve>& earlier : curves) {
+      if (earlier) earlier = to_curve(cut_at(as_path(*earlier), u, c.closed));
+    }
+    curves[key] = to_curve(cut_at(as_path(curve), v, c.closed));
     last = key;
   }
 };
@@ -174,7 +206,9 @@ class KeyMatcher {
     }
     for (std::size_t c = 0; c < chains_.size(); ++c) {
       const Curve* curve = source(keys_[key], c);
-      if (matches[c]) {
+      if (matches[c] && options_.method == Method::segments) {
+        chains_[c].set_in_segments(key, *curve, matches[c]->correspondence);
+      } else if (matches[c]) {
         chains_[c].set(key, matches[c]->curve);
       } else if (has_extent(curve)) {
         chains_[c].set(key, newcomer(chains_[c], *curve, direction));
@@ -269,6 +303,11 @@ InStep put_in_step(std::span<const Shape> keys, bool one_direction, const MorphO
   for (const Shape& key : keys) contours = std::max(contours, key.contours.size());
   InStep result;
   result.matches.assign(keys.size() - 1, Matches(contours));
+  std::vector<Shape> cubics;
+  if (options.match.method == Method::segments) {
+    cubics = as_cubics(keys);
+    keys = cubics;
+  }
   KeyMatcher matcher(keys, one_direction, options, contours);
   for (std::size_t key = 0; key < keys.size(); ++key) {
     std::optional<Matches> matches = matcher.add(key);

@@ -256,8 +256,7 @@ PathMorph::PathMorph(std::span<const Shape> keys, const MorphOptions& options, d
     }
     for (std::size_t i = 0; i < contour.keys.front().segment_count(); ++i) {
       bool line = true;
-      for (const StepBlend& blend : state->blends)
-        line = line && blend.detour(state->contours.size()).width == 0.0;
+      for (const StepBlend& blend : state->blends) line = line && blend.keeps_line(state->contours.size(), i);
       for (std::size_t k = 0; k < keys.size(); ++k)
         line = line && track.keys[k].is_line(i, line_tolerances[k]);
       contour.lines.push_back(line);

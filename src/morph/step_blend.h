@@ -46,6 +46,10 @@ class StepBlend {
   /// Coordinates of a contour's control points at s.
   void at(double s, std::size_t contour, std::span<double> points) const;
   [[nodiscard]] bool is_closed(std::size_t contour) const noexcept { return contours_[contour].closed; }
+  /// Whether a segment that is a straight line in both keys is one all the way.
+  [[nodiscard]] bool keeps_line(std::size_t contour, std::size_t segment) const {
+    return !contours_[contour].filter && contours_[contour].blend->keeps_line(segment);
+  }
   /// Both keys' contours as the frame sees them.
   [[nodiscard]] std::vector<ContourEnds> ends_in_frame() const;
   /// By how much the frame turns.

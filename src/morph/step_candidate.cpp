@@ -216,7 +216,8 @@ std::optional<StepCandidate> StepKeys::match(const Turned& turned, const MatchOp
     own.pins = joints.pins;
     Match found = tandem::match(a_.curves[*pair.a], b_.curves[*pair.b], own);
     if (found.report.cancelled) return std::nullopt;
-    AlignedPaths aligned = align(a, b, found.correspondence, joints);
+    AlignedPaths aligned = own.method == Method::segments ? cut_in_step(a, b, found.correspondence)
+                                                          : align(a, b, found.correspondence, joints);
     candidate.contours.push_back({pair.a,
                                   pair.b,
                                   std::move(found),

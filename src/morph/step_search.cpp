@@ -8,6 +8,7 @@
 #include "morph/clearance.h"
 #include "morph/measures.h"
 #include "morph/score.h"
+#include "morph/settle_blend.h"
 #include "tandem/match/rotation.h"
 
 namespace tandem {
@@ -74,12 +75,13 @@ class StepSearch {
   StepSearch(const StepKey& a, const StepKey& b, const MorphOptions& options)
       : keys_(a, b, options.pins),
         options_(options),
-        kinds_(kinds_of(options.blend)),
+        blend_(settle_blend(options)),
+        kinds_(kinds_of(blend_)),
         judge_(keys_.diagonal()) {}
 
   std::optional<FoundStep> run() {
     if (!try_all()) return std::nullopt;
-    const bool may_detour = options_.blend == BlendKind::automatic || options_.blend == BlendKind::detour;
+    const bool may_detour = blend_ == BlendKind::automatic || blend_ == BlendKind::detour;
     if (may_detour && best_score_.faults > 0) {
       std::stable_sort(entries_.begin(), entries_.end(),
                        [](const Entry& x, const Entry& y) { return x.score.better_than(y.score); });
@@ -211,6 +213,7 @@ class StepSearch {
 
   StepKeys keys_;
   const MorphOptions& options_;
+  BlendKind blend_;
   std::vector<BlendKind> kinds_;
   Judge judge_;
   Clearance clearance_;

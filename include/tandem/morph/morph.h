@@ -8,6 +8,7 @@
 #include "tandem/match/match.h"
 #include "tandem/morph/blend.h"
 #include "tandem/morph/moving_frame.h"
+#include "tandem/morph/segment_blend.h"
 #include "tandem/shape/shape.h"
 #include "tandem/shape/transform.h"
 #include "tandem/tandem_export.h"
@@ -30,8 +31,9 @@ struct MorphOptions {
   /// cost of matching them by this share (see common_rotation()): in-betweens should not spin for a trifle.
   /// For a rotation that is given it does not count.
   double least_gain = 0.3;
-  /// PathMorph only; Morph is affine.
-  BlendKind blend = BlendKind::automatic;
+  /// Empty: the method's own: `paper` affine, `segments` hermite, `elastic` automatic. Morph knows affine
+  /// (which automatic is for it), bezier and hermite.
+  std::optional<BlendKind> blend = {};
   /// PathMorph of two keys only. The contours of a pin become one another.
   std::vector<MorphPin> pins = {};
 };
@@ -39,15 +41,18 @@ struct MorphOptions {
 /// A morph through n key shapes: matching happens once, in the constructor; at(s) only blends.
 ///
 /// Affine blend ([C] eq. (1), spec C2, C15a) of the matched contours, which are brought into one function
-/// space (common degree, knots and denominator, exact). All contours of a key turn together, and the blend is
-/// made in the frame that turns with them (MovingFrame). Contours are paired in order; one without a partner
-/// grows from, or shrinks to, its own centre. Key i stands at s = i / (n - 1). Under the nonzero fill rule,
-/// which tells holes by their direction, the closed contours of a key are all matched forward or all
-/// reversed.
+/// space (common degree, knots and denominator, exact); or the hermite one of [D], in any dimension, of
+/// contours that are cubics then. With Method::segments they are redrawn as cubics (exact to degree 3, else
+/// within 1e-6 of their size) and cut where match_segments() does, so that every key has its segments. All
+/// contours of a key turn together, and the blend is made in the frame that turns with them (MovingFrame).
+/// Contours are paired in order; one without a partner grows from, or shrinks to, its own centre. Key i
+/// stands at s = i / (n - 1). Under the nonzero fill rule, which tells holes by their direction, the closed
+/// contours of a key are all matched forward or all reversed.
 class TANDEM_EXPORT Morph {
  public:
   /// Matches each shape with the next (spec C14). @throws InvalidArgument fewer than two keys, a key without
-  /// contours, different dimensions, and as match()
+  /// contours, different dimensions, a blend that Morph does not know, or the hermite one of contours of a
+  /// degree above 3 or with weights, and as match()
   explicit Morph(std::span<const Shape> keys, const MorphOptions& options = {});
   /// The morph of two curves that are already matched, with the match's rotation.
   Morph(const Curve& a, const Curve& b, const Match& match);
@@ -71,12 +76,15 @@ class TANDEM_EXPORT Morph {
   [[nodiscard]] bool cancelled() const noexcept { return cancelled_; }
 
  private:
+  void blend_by_hermite();
+
   std::size_t key_count_ = 0;
   FillRule fill_rule_ = FillRule::nonzero;
   bool cancelled_ = false;
   std::vector<std::vector<Curve>> contours_;                ///< [contour][key]
   std::vector<MovingFrame> frames_;                         ///< key_count - 1
   std::vector<std::vector<std::optional<Match>>> matches_;  ///< [key][contour], key_count - 1 rows
+  std::vector<std::vector<HermiteBlend>> hermite_;          ///< the same, as the frames see them; or none
 };
 
 /// Position of s among n keys: between key `key` and `key + 1`, at `local` (outside [0,1] when
