@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 
 #include "shape/trigonometry.h"
 #include "tandem/curve/points.h"
@@ -58,6 +59,37 @@ std::vector<Heading> headings_of(const CubicPath& path) {
   return edges;
 }
 
+/// The turn at every control point; the first one's is that at the seam.
+std::vector<double> turns_of(const std::vector<Heading>& edges) {
+  std::vector<double> turns;
+  turns.reserve(edges.size());
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    turns.push_back(signed_turn(edges[i == 0 ? edges.size() - 1 : i - 1].degrees, edges[i].degrees));
+  }
+  return turns;
+}
+
+/// Turns by nearly 180 degrees, as where handles pass each other, could as well go the other way round. Where
+/// two loops do not wind alike, the nearest to that do: otherwise all of the difference would fall upon the
+/// seam, smooth or not.
+void wind_alike(std::vector<double>& a, std::vector<double>& b) {
+  const auto whole = [](const std::vector<double>& turns) {
+    return std::floor(std::accumulate(turns.begin(), turns.end(), 0.0) / 360.0 + 0.5);
+  };
+  const double more = whole(b) - whole(a);
+  for (double left = std::fabs(more); left > 0.0; left -= 1.0) {
+    std::vector<double>& larger = more > 0.0 ? b : a;
+    std::vector<double>& smaller = more > 0.0 ? a : b;
+    const auto top = std::max_element(larger.begin(), larger.end());
+    const auto bottom = std::min_element(smaller.begin(), smaller.end());
+    if (*top >= -*bottom) {
+      *top -= 360.0;
+    } else {
+      *bottom += 360.0;
+    }
+  }
+}
+
 /// The middle of every edge, weighted with `lengths`.
 template <class Length>
 void center_of(const Points& p, std::size_t edges, const Length& length, double* center) {
@@ -83,15 +115,13 @@ IntrinsicBlend::IntrinsicBlend(const CubicPath& a, const CubicPath& b)
   double whole = 0.0;
   for (std::size_t i = 0; i < of_a.size(); ++i) whole += 0.5 * (of_a[i].length + of_b[i].length);
   const double least = kLeastGive * whole / static_cast<double>(of_a.size());
+  std::vector<double> at_points_a = turns_of(of_a);
+  std::vector<double> at_points_b = turns_of(of_b);
+  if (closed_) wind_alike(at_points_a, at_points_b);
   double turn = 0.0;
   double mean = 0.0;
   for (std::size_t i = 0; i < of_a.size(); ++i) {
-    if (i == 0) {
-      turn = signed_turn(of_a[0].degrees, of_b[0].degrees);
-    } else {
-      turn += signed_turn(of_b[i - 1].degrees, of_b[i].degrees) -
-              signed_turn(of_a[i - 1].degrees, of_a[i].degrees);
-    }
+    turn += i == 0 ? signed_turn(of_a[0].degrees, of_b[0].degrees) : at_points_b[i] - at_points_a[i];
     const double length = 0.5 * (of_a[i].length + of_b[i].length);
     if (whole > 0.0) mean += length / whole * turn;
     edges_.push_back({of_a[i].length, of_b[i].length, of_a[i].degrees, turn,
