@@ -59,6 +59,14 @@ std::vector<Heading> headings_of(const CubicPath& path) {
   return edges;
 }
 
+bool is_point(const std::vector<Heading>& edges) {
+  return std::all_of(edges.begin(), edges.end(), [](const Heading& edge) { return !(edge.length > 0.0); });
+}
+
+void copy_headings(const std::vector<Heading>& from, std::vector<Heading>& to) {
+  for (std::size_t i = 0; i < to.size(); ++i) to[i].degrees = from[i].degrees;
+}
+
 /// The turn at every control point; the first one's is that at the seam.
 std::vector<double> turns_of(const std::vector<Heading>& edges) {
   std::vector<double> turns;
@@ -110,8 +118,11 @@ void center_of(const Points& p, std::size_t edges, const Length& length, double*
 
 IntrinsicBlend::IntrinsicBlend(const CubicPath& a, const CubicPath& b)
     : closed_(a.is_closed() && b.is_closed()) {
-  const std::vector<Heading> of_a = headings_of(a);
-  const std::vector<Heading> of_b = headings_of(b);
+  std::vector<Heading> of_a = headings_of(a);
+  std::vector<Heading> of_b = headings_of(b);
+  // What grows from a point does not turn.
+  if (is_point(of_a)) copy_headings(of_b, of_a);
+  if (is_point(of_b)) copy_headings(of_a, of_b);
   double whole = 0.0;
   for (std::size_t i = 0; i < of_a.size(); ++i) whole += 0.5 * (of_a[i].length + of_b[i].length);
   const double least = kLeastGive * whole / static_cast<double>(of_a.size());

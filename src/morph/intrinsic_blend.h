@@ -13,7 +13,8 @@ namespace detail {
 ///
 /// The edges of closed paths have to close: their lengths are corrected by factors exp(-k (lambda cos + mu
 /// sin)), which are positive whatever happens; k is larger where a length changes. The centroid of the edges'
-/// middles moves in a straight line.
+/// middles moves in a straight line. Loops that grow from a point grow evenly; where two loops do not wind
+/// alike, the sharpest turn goes the other way round.
 class IntrinsicBlend final : public ContourBlend {
  public:
   IntrinsicBlend(const CubicPath& a, const CubicPath& b);

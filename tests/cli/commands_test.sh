@@ -50,6 +50,10 @@ expect 3 match "$square" "$triangle" --pin '4,4=0,4' --pin '4,4=4,4'
 err_has 'cross'
 expect 0 match "$square" "$triangle" --method segments --json --quiet
 out_has '"norm": ?"derivative"'
+expect 0 match "$square" "$triangle" --method segments --split uniform --segment-cost paper --json --quiet
+out_has '"norm": ?"paper"'
+expect 0 match "$square" "$triangle" --method segments --pin '2,0=1,2' --direction forward --json --quiet
+out_has '\[0\.5, 2\.5\]' # the middle of an edge of each
 
 expect 0 match "$square" "$triangle" --samples 40,50 --json --quiet
 out_has '"samples": ?\[(39|40|41), ?(49|50|51)\]' # corners decide the rest
@@ -104,6 +108,17 @@ that "two reports" test "$(grep -o '"max_deviation"' <<<"$out" | wc -l)" == 2
 expect 0 morph "${quick[@]}" "$square" "$triangle" -o ANIM.SVG
 that "endings in capitals" grep -q '<animate' ANIM.SVG
 
+# Methods have blends of their own.
+for pair in 'paper affine' 'segments hermite'; do
+  read -r method blend <<<"$pair"
+  expect 0 morph "$square" "$triangle" --method "$method" --json -o m.svg
+  out_has "\"blends\": ?\\[\"$blend\"\\]"
+done
+expect 0 morph "$square" "$triangle" --method segments --blend bezier --json -o m.svg
+out_has '"blends": ?\["bezier"\]'
+expect 0 align "$square" "$triangle" --method segments --no-rotate -o -
+out_has '"a": "M[^CL]*(L[^CL]*){3,4}Z"' # four segments
+
 # The other formats: by their ending, or by --to.
 for file in m.css m.lottie.json m.avd.xml m.gif; do
   expect 0 morph "${quick[@]}" "$square" "$triangle" -o "$file" --duration 0.5
@@ -134,6 +149,11 @@ cat >space.json <<'J'
 J
 expect 0 morph 'space.json#0' 'space.json#1' --at 0.5 -o -
 out_has '"curves": \[\{"type": ?"bspline"'
+# By segments they are cubics, joined smoothly.
+expect 0 morph 'space.json#0' 'space.json#1' --method segments --at 0,0.5 -o -
+out_has '"curves": \[\{"type": ?"bspline", ?"degree": ?3'
+expect 3 morph 'space.json#0' 'space.json#1' --method segments --blend intrinsic --at 0.5 -o -
+err_has 'affine, bezier and hermite only'
 for file in space.svg space.css space.gif space.lottie.json space.avd.xml; do
   expect 3 morph 'space.json#0' 'space.json#1' -o "$file"
   err_has 'dimension 3'

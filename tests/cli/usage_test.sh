@@ -30,7 +30,6 @@ wrong '--pin takes x1,y1=x2,y2' morph "$square" "$triangle" -o out.svg --pin '0,
 wrong '--pin takes x1,y1=x2,y2' match "$square" "$triangle" --pin '0,0'
 wrong '--pin takes x1,y1=x2,y2' match "$square" "$triangle" --pin '0,0,0=1,1'
 wrong '--pin' match "$square" "$triangle" --pin '0,x=1,1'
-wrong '--pin does not go with --method segments' match "$square" "$triangle" --pin '0,0=2,0' --method segments
 wrong '--reduce does not go with --pin' match "$square" "$triangle" --pin '0,0=2,0' --reduce 20
 wrong '--closed pinned does not go with --pin' match "$square" "$triangle" --pin '0,0=2,0' --closed pinned
 wrong 'takes 2 curves or shapes, not 1' match "$square"
@@ -42,6 +41,9 @@ wrong 'only once' match - -
 wrong '--samples does not go with --method segments' match "$square" "$triangle" --method segments --samples 50
 wrong '--norm does not go with --method segments' match "$square" "$triangle" --method segments --norm ruled
 wrong '--closed pinned does not go with --method segments' match "$square" "$triangle" --method segments --closed pinned
+wrong '--split goes with --method segments only' match "$square" "$triangle" --split uniform
+wrong '--segment-cost goes with --method segments only' morph "$square" "$triangle" -o out.svg --segment-cost paper
+wrong '--split takes one of proportional, uniform' match "$square" "$triangle" --method segments --split even
 wrong 'one of elastic, paper, segments, not' match "$square" "$triangle" --method Paper
 wrong 'one of tangent, ruled, distance, bottleneck, not' match "$square" "$triangle" --norm angle
 wrong '--samples takes a whole number' match "$square" "$triangle" --samples 1

@@ -163,7 +163,12 @@ TEST(IntrinsicBlend, GrowsFromAPoint) {
   for (const double s : kTimes) {
     Points points(2, a.control_points().size());
     blend.at(s, points.data());
-    for (const double x : points.data()) EXPECT_TRUE(std::isfinite(x));
+    // Evenly.
+    const auto p = b.control_points();
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      EXPECT_NEAR(points[i][0] - points[0][0], s * (p[i][0] - p[0][0]), 1e-12);
+      EXPECT_NEAR(points[i][1] - points[0][1], s * (p[i][1] - p[0][1]), 1e-12);
+    }
   }
   EXPECT_LT(largest_difference(at(blend, a, 0.0), a), 1e-12);
   EXPECT_LT(largest_difference(at(blend, a, 1.0), b), 1e-12);
