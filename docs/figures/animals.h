@@ -39,7 +39,7 @@ inline Curve digitised(const Curve& outline) {
 /// examples/data/deer.svg with its antlers at `antlers` of their size, and its hind legs moved by `stride`.
 inline Curve edited_deer(const Curve& deer, double antlers, double stride) {
   constexpr std::array kRoot = {105.0, 78.0};  // of the antlers
-  constexpr double kNeck = 20.0;              // above the root: from here on it is all antlers
+  constexpr double kNeck = 20.0;               // above the root: from here on it is all antlers
   constexpr double kKnee = 260.0;
   Points points = deer.control_points();
   for (std::size_t i = 0; i < points.size(); ++i) {
