@@ -57,6 +57,7 @@ JointedPath jointed_path(const Curve& curve, const std::vector<double>& pins, bo
   const CubicPath path = to_cubic_path(curve, tolerance_for(curve));
   const std::vector<double> breaks = cubic_breaks(curve, tolerance_for(curve));
   std::vector<double> at;
+  at.reserve(pins.size());
   for (const double pin : pins) at.push_back(path_parameter_at(breaks, pin));
   PinnedPath split = split_at_pins(path, at, loop);
   JointedPath result{std::move(split.path), {}, {}};

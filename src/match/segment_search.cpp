@@ -48,7 +48,7 @@ std::partial_ordering compare(const SegmentVectors& x, std::size_t from_x, const
       const auto p = x.vector(from_x + i, k);
       const auto q = y.vector(from_y + i, k);
       const auto order = std::lexicographical_compare_three_way(p.begin(), p.end(), q.begin(), q.end());
-      if (order != 0) return order;
+      if (std::is_neq(order)) return order;
     }
   }
   return std::partial_ordering::equivalent;
@@ -58,7 +58,7 @@ std::partial_ordering compare(const SegmentVectors& x, std::size_t from_x, const
 std::size_t first_joint(const SegmentVectors& path) {
   std::size_t first = 0;
   for (std::size_t i = 1; path.closed && i < path.size(); ++i) {
-    if (compare(path, i, path, first) < 0) first = i;
+    if (std::is_lt(compare(path, i, path, first))) first = i;
   }
   return first;
 }
@@ -77,7 +77,7 @@ Ordered in_order(const SegmentVectors& path) {
 bool comes_before(const Ordered& x, const Ordered& y) {
   if (x.vectors.closed != y.vectors.closed) return x.vectors.closed;  // the programme's rows are the loop
   if (x.vectors.size() != y.vectors.size()) return x.vectors.size() < y.vectors.size();
-  return compare(x.vectors, 0, y.vectors, 0) <= 0;
+  return std::is_lteq(compare(x.vectors, 0, y.vectors, 0));
 }
 
 /// Part `stage` of `stages` of the whole work.
