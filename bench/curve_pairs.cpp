@@ -92,18 +92,24 @@ std::vector<Pair> hard_pairs() {
   return pairs;
 }
 
-std::vector<Pair> file_pairs() {
-  std::vector<Pair> pairs;
+std::vector<PathPair> file_paths() {
+  std::vector<PathPair> pairs;
   const char* name = std::getenv("TANDEM_PAIRS");
   if (name == nullptr) return pairs;
   std::ifstream file(name);
   const nlohmann::json json = nlohmann::json::parse(file);
   for (const auto& pair : json.at("pairs")) {
     if (pair.at("set").get<std::string>() != "closed1") continue;
-    const auto curve = [&](const char* which) {
-      return to_curve(parse_path_data(pair.at(which).at("d").get<std::string>()).front());
-    };
-    pairs.push_back({curve("a"), curve("b")});
+    const auto data = [&](const char* which) { return pair.at(which).at("d").get<std::string>(); };
+    pairs.push_back({data("a"), data("b")});
+  }
+  return pairs;
+}
+
+std::vector<Pair> file_pairs() {
+  std::vector<Pair> pairs;
+  for (const PathPair& pair : file_paths()) {
+    pairs.push_back({to_curve(parse_path_data(pair.a).front()), to_curve(parse_path_data(pair.b).front())});
   }
   return pairs;
 }

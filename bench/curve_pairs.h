@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "tandem/curve/curve.h"
@@ -29,10 +31,31 @@ struct Pair {
 /// TANDEM_PAIRS=FILE, with {"pairs": [{"set": ..., "a": {"d": path data}, "b": ...}]}. None without it.
 [[nodiscard]] std::vector<Pair> file_pairs();
 
-/// run(pair) returns seconds. The best of a few tries counts for every pair: what it takes when nothing else
-/// runs.
-template <class Run>
-void time_pairs(benchmark::State& state, const std::vector<Pair>& pairs, const Run& run) {
+/// Path data of two drawings.
+struct PathPair {
+  std::string a;
+  std::string b;
+};
+
+/// The path data of file_pairs().
+[[nodiscard]] std::vector<PathPair> file_paths();
+
+/// The best of a few tries counts for every pair: what it takes when nothing else runs. seconds: of each
+/// pair.
+inline void report_pairs(benchmark::State& state, std::vector<double> seconds, double unit,
+                         const std::string& name) {
+  const auto worst = std::max_element(seconds.begin(), seconds.end()) - seconds.begin();
+  state.counters["worst_pair"] = static_cast<double>(worst);
+  std::sort(seconds.begin(), seconds.end());
+  state.counters["median_" + name] = seconds[seconds.size() / 2] / unit;
+  state.counters["p95_" + name] = seconds[seconds.size() * 95 / 100] / unit;
+  state.counters["worst_" + name] = seconds.back() / unit;
+}
+
+/// run(pair) returns seconds.
+template <class Pairs, class Run>
+void time_pairs(benchmark::State& state, const Pairs& pairs, const Run& run, double unit = 1e-3,
+                const std::string& name = "ms") {
   if (pairs.empty()) {
     state.SkipWithError("no pairs: set TANDEM_PAIRS");
     return;
@@ -41,12 +64,7 @@ void time_pairs(benchmark::State& state, const std::vector<Pair>& pairs, const R
   for (auto _ : state) {
     for (std::size_t k = 0; k < pairs.size(); ++k) best[k] = std::min(best[k], run(pairs[k]));
   }
-  const auto worst = std::max_element(best.begin(), best.end()) - best.begin();
-  state.counters["worst_pair"] = static_cast<double>(worst);
-  std::sort(best.begin(), best.end());
-  state.counters["median_ms"] = 1e3 * best[best.size() / 2];
-  state.counters["p95_ms"] = 1e3 * best[best.size() * 95 / 100];
-  state.counters["worst_ms"] = 1e3 * best.back();
+  report_pairs(state, std::move(best), unit, name);
 }
 
 }  // namespace tandem::bench

@@ -18,23 +18,24 @@ void append_point(std::string& text, std::span<const double> p, int precision) {
   append_number(text, p[1], precision);
 }
 
-void append_path(std::string& text, const CubicPath& path, const std::vector<bool>& lines, int precision) {
-  const Points& points = path.control_points();
+void append_path(std::string& text, std::span<const double> points, bool closed,
+                 const std::vector<bool>& lines, int precision) {
+  const auto point = [&](std::size_t i) { return points.subspan(2 * i, 2); };
   text += 'M';
-  append_point(text, points[0], precision);
-  for (std::size_t k = 0; k < path.segment_count(); ++k) {
+  append_point(text, point(0), precision);
+  for (std::size_t k = 0; 6 * k + 2 < points.size(); ++k) {
     if (k < lines.size() && lines[k]) {
       text += 'L';
     } else {
       text += 'C';
-      append_point(text, points[3 * k + 1], precision);
+      append_point(text, point(3 * k + 1), precision);
       text += ' ';
-      append_point(text, points[3 * k + 2], precision);
+      append_point(text, point(3 * k + 2), precision);
       text += ' ';
     }
-    append_point(text, points[3 * k + 3], precision);
+    append_point(text, point(3 * k + 3), precision);
   }
-  if (path.is_closed()) text += 'Z';
+  if (closed) text += 'Z';
 }
 
 }  // namespace
@@ -48,16 +49,29 @@ std::string format_path_data(std::span<const CubicPath> paths, std::span<const s
       throw InvalidArgument(
           fmt::format("path data: path {} has dimension {}, expected 2", i, paths[i].dim()));
     }
-    append_path(text, paths[i], i < lines.size() ? lines[i] : no_lines, precision);
+    append_path(text, paths[i].control_points().data(), paths[i].is_closed(),
+                i < lines.size() ? lines[i] : no_lines, precision);
   }
   return text;
 }
 
 std::string format_path_data(const PathMorph& morph, double s, int precision) {
-  std::vector<std::vector<bool>> lines;
-  lines.reserve(morph.contours().size());
-  for (const PathContour& contour : morph.contours()) lines.push_back(contour.lines);
-  return format_path_data(morph.at(s), lines, precision);
+  return std::string(PathDataWriter(morph, precision)(s));
+}
+
+PathDataWriter::PathDataWriter(const PathMorph& morph, int precision)
+    : morph_(&morph), precision_(precision), points_(morph.coordinate_count()) {}
+
+std::string_view PathDataWriter::operator()(double s) {
+  morph_->at(s, points_);
+  text_.clear();
+  std::span<const double> points = points_;
+  for (const PathContour& contour : morph_->contours()) {
+    const std::size_t size = 6 * contour.lines.size() + 2;
+    append_path(text_, points.first(size), contour.keys.front().is_closed(), contour.lines, precision_);
+    points = points.subspan(size);
+  }
+  return text_;
 }
 
 std::vector<std::string> format_key_paths(const PathMorph& morph, int precision) {

@@ -144,6 +144,8 @@ EdgeRows::Row EdgeRows::row(int i, Columns columns) {
   if (kept && whole_rows_) columns = {0, stride_};
   Columns* known = kept ? &known_[static_cast<std::size_t>(i)] : nullptr;
   if (known == nullptr || columns.lo < known->lo || columns.hi > known->hi) {
+    // Columns that are not computed are compared with the threshold, too.
+    if (threshold_ < kInfinity) std::fill_n(cost, row_size_, kInfinity);
     if (table_ != nullptr) {
       copy_row(i, cost, invalid);
     } else {

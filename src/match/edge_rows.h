@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "match/elastic_kernels.h"
+#include "match/raw_buffer.h"
 #include "tandem/match/cost_table.h"
 #include "tandem/match/elastic.h"
 #include "tandem/match/programme.h"
@@ -107,8 +108,8 @@ class EdgeRows {
   double most_ = 0.0;  ///< the largest chord cost
   double threshold_;
   std::size_t row_size_ = 0;
-  std::vector<double> cost_;  ///< one row, or all
-  std::vector<double> invalid_;
+  RawBuffer cost_;  ///< one row, or all; columns that nobody asked for hold anything
+  RawBuffer invalid_;
   std::vector<Columns> known_;  ///< by row, where they are kept
   std::size_t kept_bytes_ = 0;
   bool whole_rows_ = false;

@@ -118,14 +118,19 @@ void overlap_range(const double* HWY_RESTRICT chords, const EdgeOverlaps& e, std
   for (std::size_t j = lo; j < hi; j += lanes()) {
     const double* spread = e.spread_b + j / kBlock * 2 * static_cast<std::size_t>(e.b + 1);
     Lanes sum = all(0.0);
+    int first = 0;  // both sides' shares rise: chords once passed by the whole block stay behind
     for (int p = 0; p < e.a; ++p) {
       const double* row = chords + (p - e.a) * e.row_stride + static_cast<std::ptrdiff_t>(j) - e.b;
-      for (int q = 0; q < e.b; ++q) {
-        // No overlap in the whole block.
-        if (spread[2 * q] >= e.ends_a[p + 1] || spread[2 * q + 3] <= e.ends_a[p]) continue;
-        const Lanes from = hn::Max(all(e.ends_a[p]), load(e.ends_b[q] + j));
-        const Lanes to = hn::Min(all(e.ends_a[p + 1]), load(e.ends_b[q + 1] + j));
-        const Lanes share = hn::Sub(to, from);
+      const double begin = e.ends_a[p];
+      const double end = e.ends_a[p + 1];
+      while (first + 1 < e.b && spread[2 * first + 3] <= begin) ++first;
+      const Lanes begins = all(begin);
+      const Lanes ends = all(end);
+      Lanes next_b = load(e.ends_b[first] + j);
+      for (int q = first; q < e.b && spread[2 * q] < end; ++q) {
+        const Lanes from = hn::Max(begins, next_b);
+        next_b = load(e.ends_b[q + 1] + j);
+        const Lanes share = hn::Sub(hn::Min(ends, next_b), from);
         // Left out, not multiplied by 0: a barred chord costs infinity.
         const Lanes next = add_term<kValue>(sum, load(row + q), share);
         sum = hn::IfThenElse(hn::Gt(share, sliver), next, sum);

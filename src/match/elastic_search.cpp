@@ -97,6 +97,8 @@ class BestStart {
       if (!run(starts)) return;
       std::vector<Bound> bounds = bound(starts);
       if (!bounds.empty() && starts.size() > 1 && !try_likeliest(bounds)) return;
+      // One start alone is settled: what rounding leaves between its path and its bound would never close.
+      if (starts.size() == 1) return;
       drop_settled(bounds);
       const std::size_t before = starts.size();
       starts.clear();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <mutex>
 #include <numeric>
 #include <utility>
@@ -29,6 +30,10 @@ constexpr std::size_t kMostTangents = 256;
 constexpr int kMostRounds = 12;
 /// A round that lowers the cost by less than this share is the last.
 constexpr double kWorthRound = 1e-4;
+
+/// With coarse_to_fine, turns that start with a cost so much above the best one's are not improved: the first
+/// match under a candidate is most of what there is to gain.
+constexpr double kHopeful = 0.5;
 
 /// Candidates that the fine programme tries: those whose coarse cost is within this share, and this much, of
 /// the best.
@@ -268,9 +273,16 @@ std::vector<Trial> survey(const Matcher& matcher, const std::vector<Start>& star
   const auto ask = [&]() -> const Progress& { return standing; };
   parallel_for(static_cast<int>(starts.size()), options.threads, [&](int k) {
     const Start& start = starts[static_cast<std::size_t>(k)];
-    Trial trial = matcher.run(start.rotation, start.direction, 1, standing);
-    if (k == 0) trials.front() = trial;
-    trials[static_cast<std::size_t>(k) + 1] = matcher.improve(std::move(trial), 1, ask);
+    trials[static_cast<std::size_t>(k) + 1] = matcher.run(start.rotation, start.direction, 1, standing);
+  });
+  trials.front() = trials[1];
+  double limit = std::numeric_limits<double>::infinity();
+  if (options.coarse_to_fine) {
+    for (const Trial& trial : trials) limit = std::min(limit, (1.0 + kHopeful) * trial.goodness.sum());
+  }
+  parallel_for(static_cast<int>(starts.size()), options.threads, [&](int k) {
+    Trial& trial = trials[static_cast<std::size_t>(k) + 1];
+    if (trial.goodness.sum() <= limit) trial = matcher.improve(std::move(trial), 1, ask);
   });
   return trials;
 }

@@ -8,6 +8,7 @@
 
 #include "match/find_rotation.h"
 #include "match/make_report.h"
+#include "match/match_samples.h"
 #include "match/path_correspondence.h"
 #include "match/pins.h"
 #include "match/sample_pair.h"
@@ -61,15 +62,17 @@ struct Optimum {
   SearchResult found;  ///< samples_b is turned back
 };
 
-/// The optimum for the rotation that the options give, or that has to be found.
-Optimum find_optimum(const Curve& a, const Curve& b, const SamplePair& samples, MatchOptions options,
+bool looks_for_turn(const MatchOptions& options) {
+  return options.rotation.empty() && options.rotate.value_or(false);
+}
+
+/// The optimum for the rotation that the options give, or that has to be found. coarse: empty where neither
+/// a turn is looked for nor coarse_to_fine is wanted.
+Optimum find_optimum(const SamplePair& samples, SamplePair coarse, const MatchOptions& options,
                      Layout layout) {
-  Optimum best{options.rotation.empty() ? Rotation(a.dim()) : Rotation(a.dim(), options.rotation), {}};
-  const bool look = options.rotation.empty() && options.rotate.value_or(false);
-  SamplePair coarse;
-  if (look || options.coarse_to_fine) {
-    coarse = detail::sample_pair(a, b, options, layout, detail::kCoarsening);
-  }
+  const int dim = samples.a.dim();
+  Optimum best{options.rotation.empty() ? Rotation(dim) : Rotation(dim, options.rotation), {}};
+  const bool look = looks_for_turn(options);
   if (look) {
     const detail::RotationTask task{samples, coarse, layout};
     detail::FoundRotation turn = detail::find_rotation({&task, 1}, options, 0.0);
@@ -210,18 +213,11 @@ Match match_by_segments(const Curve& a, const Curve& b, MatchOptions options, La
   return finish(a, b, options, layout, {std::move(paths.samples), std::move(path), std::move(report)});
 }
 
-}  // namespace
-
-Match match(const Curve& a, const Curve& b, const MatchOptions& given) {
-  check_curves(a, b, given);
-  const Layout layout = detail::choose_layout(a, b, given.closed);
-  const MatchOptions options = detail::settle_pins(a, b, given, layout);
-  if (options.method == Method::segments) return match_by_segments(a, b, options, layout);
+/// From samples to curves in step. coarse: see find_optimum.
+Match match_by_samples(const Curve& a, const Curve& b, const MatchOptions& options, SamplePair samples,
+                       SamplePair coarse, Layout layout, double sample_seconds) {
   Stopwatch watch;
-  SamplePair samples = detail::sample_pair(a, b, options, layout, 1);
-  const double sample_seconds = watch.lap();
-
-  const Optimum best = find_optimum(a, b, samples, options, layout);
+  const Optimum best = find_optimum(samples, std::move(coarse), options, layout);
   const SearchResult& found = best.found;
   if (found.path.cancelled) return cancelled_match(a, b, std::move(samples));
   if (found.path.nodes.empty()) {
@@ -241,6 +237,38 @@ Match match(const Curve& a, const Curve& b, const MatchOptions& given) {
   report.seconds.sample = sample_seconds;
   report.seconds.match = watch.lap();
   return finish(a, b, options, layout, {std::move(samples), std::move(path), std::move(report)});
+}
+
+}  // namespace
+
+namespace detail {
+
+MatchSamples sample_for_match(const Curve& a, const Curve& b, const MatchOptions& options) {
+  check_curves(a, b, options);
+  const Layout layout = choose_layout(a, b, options.closed);
+  return {sample_pair(a, b, options, layout, 1), sample_pair(a, b, options, layout, kCoarsening), layout};
+}
+
+Match match_sampled(const Curve& a, const Curve& b, const MatchOptions& options,
+                    const MatchSamples& samples) {
+  check_curves(a, b, options);
+  return match_by_samples(a, b, options, samples.fine, samples.coarse, samples.layout, 0.0);
+}
+
+}  // namespace detail
+
+Match match(const Curve& a, const Curve& b, const MatchOptions& given) {
+  check_curves(a, b, given);
+  const Layout layout = detail::choose_layout(a, b, given.closed);
+  const MatchOptions options = detail::settle_pins(a, b, given, layout);
+  if (options.method == Method::segments) return match_by_segments(a, b, options, layout);
+  Stopwatch watch;
+  SamplePair samples = detail::sample_pair(a, b, options, layout, 1);
+  SamplePair coarse;
+  if (looks_for_turn(options) || options.coarse_to_fine) {
+    coarse = detail::sample_pair(a, b, options, layout, detail::kCoarsening);
+  }
+  return match_by_samples(a, b, options, std::move(samples), std::move(coarse), layout, watch.lap());
 }
 
 std::vector<Match> match_chain(std::span<const Curve> curves, const MatchOptions& options) {

@@ -134,14 +134,24 @@ Points normalized(Points points, const Samples& s) {
   return points;
 }
 
+/// With the coordinates of b in planes of their own, so that a row is one loop over lanes.
 void add_positions(NodeTable& table, const Points& a, const Points& b, double weight) {
-  std::size_t k = 0;
+  const auto dim = static_cast<std::size_t>(a.dim());
+  const std::size_t cols = table.cols;
+  std::vector<double> planes(dim * cols);
+  for (std::size_t j = 0; j < cols; ++j) {
+    for (std::size_t c = 0; c < dim; ++c) planes[c * cols + j] = b[j][c];
+  }
+  std::vector<double> sums(cols);
   for (std::size_t i = 0; i < table.rows; ++i) {
-    for (std::size_t j = 0; j < table.cols; ++j, ++k) {
-      double sum = 0.0;
-      for (std::size_t c = 0; c < a[i].size(); ++c) sum += (a[i][c] - b[j][c]) * (a[i][c] - b[j][c]);
-      table.cost[k] += weight * sum;
+    std::fill(sums.begin(), sums.end(), 0.0);
+    for (std::size_t c = 0; c < dim; ++c) {
+      const double x = a[i][c];
+      const double* plane = planes.data() + c * cols;
+      for (std::size_t j = 0; j < cols; ++j) sums[j] += (x - plane[j]) * (x - plane[j]);
     }
+    double* cost = table.cost.data() + table.index(i, 0);
+    for (std::size_t j = 0; j < cols; ++j) cost[j] += weight * sums[j];
   }
 }
 

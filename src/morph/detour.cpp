@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "curve/scratch.h"
 #include "morph/measures.h"
 
 namespace tandem {
@@ -14,6 +15,8 @@ namespace {
 constexpr int kFlowSteps = 3;
 // Edges shorter than this share of the mean one count as that long: handles that lie on their joints.
 constexpr double kShortest = 1e-3;
+// Control points up to which nothing is allocated: 200 segments.
+constexpr std::size_t kOnStack = 601;
 
 std::vector<double> edge_shares(const CubicPath& path) {
   const Points& p = path.control_points();
@@ -55,7 +58,7 @@ void Detour::apply(double width, std::span<double> points) const {
   if (!(width > 0.0)) return;
   const double before = signed_area(points);
   // A Gaussian of this standard deviation is heat after width^2 / 2.
-  for (int step = 0; step < kFlowSteps; ++step) flow(0.5 * width * width / kFlowSteps, points);
+  flow(0.5 * width * width / kFlowSteps, kFlowSteps, points);
   straighten(points);
   if (!closed_) return;
   const double after = signed_area(points);
@@ -77,65 +80,68 @@ void Detour::apply(double width, std::span<double> points) const {
   }
 }
 
-// One implicit step: (M + time K) q = M p, tridiagonal, with corners where the path is closed.
-void Detour::flow(double time, std::span<double> points) const {
+// Implicit steps of the same time: each solves (M + time K) q = M p, tridiagonal, with corners where the path
+// is closed (Sherman and Morrison). The matrix is factored once.
+void Detour::flow(double time, int steps, std::span<double> points) const {
   const std::size_t n = mass_.size();
-  std::vector<double> diagonal(n);
-  std::vector<double> upper(n);
-  std::vector<double> corner(n, 0.0);  // the column that closes the loop (Sherman and Morrison)
+  Scratch<4 * kOnStack> scratch(4 * n);
+  double* const upper = scratch.data();  // by the pivots, as the next two
+  double* const lower = upper + n;
+  double* const mass = lower + n;
+  double* const corner = mass + n;                                          // the column that closes the loop
   const auto link = [&](std::size_t i) { return time * conductance_[i]; };  // point i to i + 1
+  const bool pinned = !closed_;                                             // the ends stay
+  const auto is_pinned = [&](std::size_t i) { return pinned && (i == 0 || i == n - 1); };
+  const auto below = [&](std::size_t i) { return is_pinned(i) ? 0.0 : -link(i - 1); };  // (i, i - 1)
+  const auto above = [&](std::size_t i) { return is_pinned(i) ? 0.0 : -link(i); };      // (i, i + 1)
+  const auto diagonal = [&](std::size_t i) {
+    if (is_pinned(i)) return 1.0;
+    return mass_[i] + link(i > 0 ? i - 1 : n - 1) + link(i + 1 < n ? i : n - 1);
+  };
+  const double wrap = closed_ ? -link(n - 1) : 0.0;
+  const double gamma = closed_ ? -diagonal(0) : 1.0;
   for (std::size_t i = 0; i < n; ++i) {
-    const double before = i > 0 ? link(i - 1) : (closed_ ? link(n - 1) : 0.0);
-    const double after = i + 1 < n ? link(i) : (closed_ ? link(n - 1) : 0.0);
-    diagonal[i] = mass_[i] + before + after;
-  }
-  const bool pinned = !closed_;
-  for (std::size_t i = 0; i < n; ++i) {
-    points[2 * i] *= mass_[i];
-    points[2 * i + 1] *= mass_[i];
-  }
-  if (pinned) {  // the ends stay
-    for (const std::size_t end : {std::size_t{0}, n - 1}) {
-      points[2 * end] *= 1.0 / mass_[end];
-      points[2 * end + 1] *= 1.0 / mass_[end];
-      diagonal[end] = 1.0;
+    double pivot = diagonal(i);
+    double column = 0.0;
+    if (closed_ && i == 0) {
+      pivot -= gamma;
+      column = gamma;
     }
-  }
-  const auto below = [&](std::size_t i) { return pinned && i == n - 1 ? 0.0 : -link(i - 1); };  // (i, i - 1)
-  const auto above = [&](std::size_t i) { return pinned && i == 0 ? 0.0 : -link(i); };          // (i, i + 1)
-  double gamma = 0.0;
-  double wrap = 0.0;
-  if (closed_) {
-    wrap = -link(n - 1);
-    gamma = -diagonal[0];
-    diagonal[0] -= gamma;
-    diagonal[n - 1] -= wrap * wrap / gamma;
-    corner[0] = gamma;
-    corner[n - 1] = wrap;
-  }
-  for (std::size_t i = 0; i < n; ++i) {
-    const double lower = i > 0 ? below(i) : 0.0;
-    const double pivot = diagonal[i] - (i > 0 ? lower * upper[i - 1] : 0.0);
-    upper[i] = i + 1 < n ? above(i) / pivot : 0.0;
-    for (const std::size_t c : {std::size_t{0}, std::size_t{1}}) {
-      const double carried = i > 0 ? lower * points[2 * (i - 1) + c] : 0.0;
-      points[2 * i + c] = (points[2 * i + c] - carried) / pivot;
+    if (closed_ && i == n - 1) {
+      pivot -= wrap * wrap / gamma;
+      column = wrap;
     }
-    corner[i] = (corner[i] - (i > 0 ? lower * corner[i - 1] : 0.0)) / pivot;
+    if (i > 0) pivot -= below(i) * upper[i - 1];
+    const double inverse = 1.0 / pivot;
+    upper[i] = i + 1 < n ? above(i) * inverse : 0.0;
+    lower[i] = i > 0 ? below(i) * inverse : 0.0;
+    mass[i] = (is_pinned(i) ? 1.0 : mass_[i]) * inverse;
+    corner[i] = column * inverse - (i > 0 ? lower[i] * corner[i - 1] : 0.0);
   }
-  for (std::size_t i = n - 1; i-- > 0;) {
-    points[2 * i] -= upper[i] * points[2 * i + 2];
-    points[2 * i + 1] -= upper[i] * points[2 * i + 3];
-    corner[i] -= upper[i] * corner[i + 1];
-  }
-  if (!closed_) return;
+  for (std::size_t i = n - 1; i-- > 0;) corner[i] -= upper[i] * corner[i + 1];
   const double share = wrap / gamma;
   const double denominator = 1.0 + corner[0] + share * corner[n - 1];
-  for (const std::size_t c : {std::size_t{0}, std::size_t{1}}) {
-    const double factor = (points[c] + share * points[2 * (n - 1) + c]) / denominator;
-    for (std::size_t i = 0; i < n; ++i) points[2 * i + c] -= factor * corner[i];
-    points[2 * n + c] = points[c];
+  double* const p = points.data();
+  for (int step = 0; step < steps; ++step) {
+    double x = 0.0;
+    double y = 0.0;
+    for (std::size_t i = 0; i < n; ++i) {
+      x = p[2 * i] = mass[i] * p[2 * i] - lower[i] * x;
+      y = p[2 * i + 1] = mass[i] * p[2 * i + 1] - lower[i] * y;
+    }
+    for (std::size_t i = n - 1; i-- > 0;) {
+      p[2 * i] -= upper[i] * p[2 * i + 2];
+      p[2 * i + 1] -= upper[i] * p[2 * i + 3];
+    }
+    if (!closed_) continue;
+    const double along_x = (p[0] + share * p[2 * n - 2]) / denominator;
+    const double along_y = (p[1] + share * p[2 * n - 1]) / denominator;
+    for (std::size_t i = 0; i < n; ++i) {
+      p[2 * i] -= along_x * corner[i];
+      p[2 * i + 1] -= along_y * corner[i];
+    }
   }
+  if (closed_) std::copy_n(p, 2, p + 2 * n);
 }
 
 // Handles on both sides of a smooth joint back into one line, at their lengths.

@@ -23,7 +23,7 @@ class Detour {
   void apply(double width, std::span<double> points) const;
 
  private:
-  void flow(double time, std::span<double> points) const;
+  void flow(double time, int steps, std::span<double> points) const;
   void straighten(std::span<double> points) const;
 
   bool closed_;

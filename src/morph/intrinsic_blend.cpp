@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <numeric>
 
+#include "curve/scratch.h"
 #include "shape/trigonometry.h"
 #include "tandem/curve/points.h"
 
@@ -19,6 +20,10 @@ constexpr double kLeastGive = 0.02;
 // Newton steps towards a closed polygon: it converges quadratically, 4 to 6 are usual.
 constexpr int kMostSteps = 20;
 constexpr double kClosed = 1e-13;  // of the perimeter
+// From here on the next step squares the gap to below kClosed.
+constexpr double kNearlyClosed = 1e-7;
+// Edges up to which nothing is allocated: 200 segments.
+constexpr std::size_t kOnStack = 600;
 
 struct Heading {
   double length = 0.0;
@@ -151,6 +156,9 @@ void IntrinsicBlend::at(double s, std::span<double> points) const {
   const std::size_t n = edges_.size();
   // Until they are added up, point i + 1 holds the direction of edge i.
   double* p = points.data();
+  Scratch<2 * kOnStack> scratch(2 * n);
+  double* const lengths = scratch.data();
+  double* const gives = lengths + n;  // as shares of the lengths, bounded where a length vanishes
   double whole = 0.0;
   const auto length_at = [s](const Edge& e) {
     return std::max(0.0, (1.0 - s) * e.length_a + s * e.length_b);
@@ -159,15 +167,12 @@ void IntrinsicBlend::at(double s, std::span<double> points) const {
     const CosSin direction = cos_sin_degrees(edges_[i].heading + s * edges_[i].turn);
     p[2 * i + 2] = direction.cosine;
     p[2 * i + 3] = direction.sine;
-    whole += length_at(edges_[i]);
+    lengths[i] = length_at(edges_[i]);
+    gives[i] = lengths[i] > 0.0 ? std::min(edges_[i].give / lengths[i], 8.0) : 0.0;
+    whole += lengths[i];
   }
   double lambda = 0.0;
   double mu = 0.0;
-  // The exponent -give / length * (...) is bounded where a length vanishes: the edge has nothing to give.
-  const auto factor = [&](const Edge& e, double length, double c, double d) {
-    const double k = length > 0.0 ? std::min(e.give / length, 8.0) : 0.0;
-    return std::exp(std::clamp(-k * (lambda * c + mu * d), -30.0, 30.0));
-  };
   for (int step = 0; closed_ && step < kMostSteps; ++step) {
     double gx = 0.0;
     double gy = 0.0;
@@ -175,24 +180,28 @@ void IntrinsicBlend::at(double s, std::span<double> points) const {
     double xy = 0.0;
     double yy = 0.0;
     for (std::size_t i = 0; i < n; ++i) {
-      const Edge& e = edges_[i];
-      const double length = length_at(e);
-      if (!(length > 0.0)) continue;
       const double c = p[2 * i + 2];
       const double d = p[2 * i + 3];
-      const double l = length * factor(e, length, c, d);
-      const double k = std::min(e.give / length, 8.0) * l;
-      gx += l * c;
-      gy += l * d;
+      const double k = gives[i] * lengths[i];
+      gx += lengths[i] * c;
+      gy += lengths[i] * d;
       xx += k * c * c;
       xy += k * c * d;
       yy += k * d * d;
     }
-    if (std::sqrt(gx * gx + gy * gy) <= kClosed * whole) break;
+    const double gap = std::sqrt(gx * gx + gy * gy);
+    if (gap <= kClosed * whole) break;
     const double det = xx * yy - xy * xy;
     if (!(det > 0.0)) break;
     double dx = (yy * gx - xy * gy) / det;
     double dy = (xx * gy - xy * gx) / det;
+    if (gap <= kNearlyClosed * whole) {  // the last step needs no exponentials
+      for (std::size_t i = 0; i < n; ++i) {
+        const double x = gives[i] * (dx * p[2 * i + 2] + dy * p[2 * i + 3]);
+        lengths[i] *= 1.0 - x + 0.5 * x * x;
+      }
+      break;
+    }
     const double size = std::sqrt(dx * dx + dy * dy);
     if (size > 1.0) {  // a whole step could overshoot where exponentials grow
       dx /= size;
@@ -200,6 +209,10 @@ void IntrinsicBlend::at(double s, std::span<double> points) const {
     }
     lambda += dx;
     mu += dy;
+    for (std::size_t i = 0; i < n; ++i) {
+      const double x = gives[i] * (lambda * p[2 * i + 2] + mu * p[2 * i + 3]);
+      lengths[i] = length_at(edges_[i]) * std::exp(std::clamp(-x, -30.0, 30.0));
+    }
   }
   double cx = 0.0;
   double cy = 0.0;
@@ -209,8 +222,7 @@ void IntrinsicBlend::at(double s, std::span<double> points) const {
   for (std::size_t i = 0; i < n; ++i) {
     const double c = p[2 * i + 2];
     const double d = p[2 * i + 3];
-    double length = length_at(edges_[i]);
-    if (closed_) length *= factor(edges_[i], length, c, d);
+    const double length = lengths[i];
     p[2 * i + 2] = p[2 * i] + length * c;
     p[2 * i + 3] = p[2 * i + 1] + length * d;
     cx += length * 0.5 * (p[2 * i] + p[2 * i + 2]);

@@ -85,21 +85,31 @@ struct PathMorph::State {
   bool cancelled = false;
   Box box;
 
+  // One contour, `local` of the way from a key to the next.
+  void contour_at(std::size_t key, double local, std::size_t contour, std::span<double> points) const {
+    blends[key].at(local, contour, points);
+    if (closed[contour]) std::copy_n(points.begin(), 2, points.end() - 2);
+  }
+
   [[nodiscard]] std::vector<CubicPath> at(double s) const {
     const auto [key, local] = locate_key(s, key_count);
-    const StepBlend& blend = blends[key];
     std::vector<CubicPath> paths;
     paths.reserve(contours.size());
     for (std::size_t c = 0; c < contours.size(); ++c) {
-      Points points(2, blend.size(c) / 2);
-      blend.at(local, c, points.data());
-      if (closed[c]) {
-        const auto front = std::as_const(points).front();
-        std::copy(front.begin(), front.end(), points[points.size() - 1].begin());
-      }
+      Points points(2, blends[key].size(c) / 2);
+      contour_at(key, local, c, points.data());
       paths.emplace_back(std::move(points), closed[c]);
     }
     return paths;
+  }
+
+  void at(double s, std::span<double> coordinates) const {
+    const auto [key, local] = locate_key(s, key_count);
+    for (std::size_t c = 0; c < contours.size(); ++c) {
+      const std::size_t size = blends[key].size(c);
+      contour_at(key, local, c, coordinates.first(size));
+      coordinates = coordinates.subspan(size);
+    }
   }
 
   [[nodiscard]] FramePose pose_at(double s) const {
@@ -280,6 +290,20 @@ PathMorph::~PathMorph() = default;
 
 std::vector<CubicPath> PathMorph::at(double s) const {
   return state_->at(s);
+}
+
+std::size_t PathMorph::coordinate_count() const noexcept {
+  std::size_t count = 0;
+  for (const PathContour& contour : state_->contours) count += 6 * contour.lines.size() + 2;
+  return count;
+}
+
+void PathMorph::at(double s, std::span<double> coordinates) const {
+  if (coordinates.size() != coordinate_count()) {
+    throw InvalidArgument(fmt::format("path morph: room for {} coordinates, expected {}", coordinates.size(),
+                                      coordinate_count()));
+  }
+  state_->at(s, coordinates);
 }
 
 std::vector<CubicPath> PathMorph::in_frame(double s) const {

@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "match/find_rotation.h"
 #include "morph/mean_value.h"
 #include "morph/measures.h"
 #include "shape/trigonometry.h"
@@ -171,6 +172,11 @@ Rotation StepKeys::find_turn(const MatchOptions& options) const {
     own.direction = Direction::forward;
   }
   if (!(a.extent() > 0.0 && b.extent() > 0.0)) return Rotation(2);
+  if (a_.curves.size() == 1 && b_.curves.size() == 1 && can_share(options)) {
+    const MatchSamples& samples = samples_of(0, 0, options);
+    const RotationTask task{samples.fine, samples.coarse, samples.layout};
+    return find_rotation({&task, 1}, own, 0.0).rotation;
+  }
   const Rotation alone = common_rotation({&a, 1}, {&b, 1}, own);
   if (a_.curves.size() == 1 && b_.curves.size() == 1) return alone;
   // A rectangle does not tell a turn from one by 180 degrees more, nor a square by 90: all contours do.
@@ -214,7 +220,7 @@ std::optional<StepCandidate> StepKeys::match(const Turned& turned, const MatchOp
       if (pin.a == *pair.a) joints.pins.push_back(pin.at);
     }
     own.pins = joints.pins;
-    Match found = tandem::match(a_.curves[*pair.a], b_.curves[*pair.b], own);
+    Match found = match_pair(*pair.a, *pair.b, own);
     if (found.report.cancelled) return std::nullopt;
     AlignedPaths aligned = own.method == Method::segments ? cut_in_step(a, b, found.correspondence)
                                                           : align(a, b, found.correspondence, joints);
@@ -227,6 +233,25 @@ std::optional<StepCandidate> StepKeys::match(const Turned& turned, const MatchOp
   }
   add_lonely(candidate, turned);
   return candidate;
+}
+
+bool StepKeys::can_share(const MatchOptions& options) {
+  return options.method == Method::elastic && options.pins.empty() &&
+         options.samples == std::array<int, 2>{0, 0};
+}
+
+const MatchSamples& StepKeys::samples_of(std::size_t a, std::size_t b, const MatchOptions& options) const {
+  const auto known = samples_.find({a, b});
+  if (known != samples_.end()) return known->second;
+  return samples_.emplace(std::pair{a, b}, sample_for_match(a_.curves[a], b_.curves[b], options))
+      .first->second;
+}
+
+Match StepKeys::match_pair(std::size_t a, std::size_t b, const MatchOptions& options) const {
+  const Curve& first = a_.curves[a];
+  const Curve& second = b_.curves[b];
+  if (!can_share(options)) return tandem::match(first, second, options);
+  return match_sampled(first, second, options, samples_of(a, b, options));
 }
 
 // Contours that nobody becomes: each dies to, or is born from, the point to which the contour around it

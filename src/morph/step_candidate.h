@@ -1,10 +1,13 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
+#include "match/match_samples.h"
 #include "morph/contour_pairs.h"
 #include "morph/planar_frame.h"
 #include "morph/step_blend.h"
@@ -85,10 +88,18 @@ class StepKeys {
   };
   void locate(const MorphPin& pin);
   void add_lonely(StepCandidate& candidate, const Turned& turned) const;
+  /// Whether all matches with options like these look at the same samples.
+  [[nodiscard]] static bool can_share(const MatchOptions& options);
+  [[nodiscard]] const MatchSamples& samples_of(std::size_t a, std::size_t b,
+                                               const MatchOptions& options) const;
+  /// match() of two contours.
+  [[nodiscard]] Match match_pair(std::size_t a, std::size_t b, const MatchOptions& options) const;
 
   Key a_;
   Key b_;
   std::vector<Pin> pins_;
+  /// By contours: taken once for all candidates. Not for several threads at once.
+  mutable std::map<std::pair<std::size_t, std::size_t>, MatchSamples> samples_;
 };
 
 /// The candidate with its segments cut until none is longer than `longest`, a share of its contour's length:

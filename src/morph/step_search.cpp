@@ -35,6 +35,8 @@ struct Variant {
   double lambda;
 };
 constexpr Variant kVariants[] = {{0.0, 0.02}, {0.3, 0.02}, {1.0, 0.02}, {3.0, 0.02}, {1.0, 0.1}};
+// Among the caller's own way and these, in this order.
+constexpr std::size_t kMostHelpful = 3;
 
 bool is_tangent_norm(const MatchOptions& options) {
   const auto* kind = std::get_if<NormKind>(&options.norm);
@@ -50,6 +52,24 @@ bool wants_turns(const MatchOptions& options) {
 bool may_vary(const MatchOptions& options) {
   return is_tangent_norm(options) && options.method == Method::elastic && !options.features.curvature &&
          options.features.position_weight == 0.0;
+}
+
+// The ways of matching to be tried. In a hurry, first the one that helps most, on few samples; where
+// positions do not count, few samples mislead one match in four, and all are looked at.
+std::vector<MatchOptions> variants_of(const MatchOptions& own) {
+  std::vector<MatchOptions> variants{own};
+  if (!may_vary(own)) return variants;
+  for (const Variant& variant : kVariants) {
+    variants.push_back(own);
+    variants.back().features.position_weight = variant.position_weight;
+    variants.back().features.lenient = true;
+    variants.back().elastic.lambda = variant.lambda;
+    variants.back().coarse_to_fine = own.coarse_to_fine && variant.position_weight > 0.0;
+  }
+  if (!own.coarse_to_fine) return variants;
+  variants.front().coarse_to_fine = false;
+  std::swap(variants.front(), variants[kMostHelpful]);
+  return variants;
 }
 
 std::vector<BlendKind> kinds_of(BlendKind kind) {
@@ -100,17 +120,7 @@ class StepSearch {
 
   bool try_all() {
     const MatchOptions& own = options_.match;
-    std::vector<MatchOptions> variants{own};
-    if (may_vary(own)) {
-      for (const Variant& variant : kVariants) {
-        // Whoever is in a hurry gets the one that helps most.
-        if (own.coarse_to_fine && variant.position_weight != 1.0) continue;
-        variants.push_back(own);
-        variants.back().features.position_weight = variant.position_weight;
-        variants.back().features.lenient = true;
-        variants.back().elastic.lambda = variant.lambda;
-      }
-    }
+    std::vector<MatchOptions> variants = variants_of(own);
     const Rotation given = own.rotation.empty() ? Rotation(2) : Rotation(2, own.rotation);
     std::vector<Turned> turns{keys_.pair(given, own)};
     if (wants_turns(own)) {
@@ -127,16 +137,29 @@ class StepSearch {
         }
         std::optional<StepCandidate> candidate = keys_.match(turned, variant);
         if (!candidate || !go_on(done)) return false;
+        if (own.coarse_to_fine) mark_inexact(*candidate);
         candidates_.push_back(*std::move(candidate));
         for (const BlendKind kind : kinds_) consider(candidates_.back(), kind, candidates_.size() - 1);
+      }
+      // Whoever is in a hurry turns no more when the first way of matching was better without.
+      if (own.coarse_to_fine && candidates_.size() == 2 && turns.size() == 2 && best_index_ == 0) {
+        turns.pop_back();
       }
     }
     return true;
   }
 
+  // Some of the matches may be the optimum: that they were chosen, and under which turn, is not.
+  static void mark_inexact(StepCandidate& candidate) {
+    for (FoundContour& contour : candidate.contours) {
+      if (contour.match) contour.match->report.exact = false;
+    }
+  }
+
   void consider(const StepCandidate& candidate, BlendKind kind, std::size_t index) {
     const Score score = judge_.judge(candidate.blend(kind), best_score_);
     entries_.push_back({index, kind, score});
+    if (score.better_than(best_score_)) best_index_ = index;
     keep(candidate, kind, score);
   }
 
@@ -220,6 +243,7 @@ class StepSearch {
   std::vector<StepCandidate> candidates_;
   std::vector<Entry> entries_;
   Score best_score_;
+  std::size_t best_index_ = 0;  ///< of the best candidate, before detours
   FoundStep best_;
 };
 

@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
@@ -8,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "io/morphs.h"
 #include "io/number.h"
 #include "tandem/error.h"
 #include "tandem/io/path_data.h"
@@ -42,6 +44,29 @@ TEST(Number, KeepsTheDecimalsAskedFor) {
   EXPECT_EQ(format_number(0.1, 1000000), "0.100000000000000005551115123126");
 }
 
+// Decimals come from a quick way where that is sure; ties are the doubles' own, as in 0.125 and 1.005.
+TEST(Number, IsRoundedExactly) {
+  const auto expected = [](double x, int precision) {
+    std::string text = fmt::format("{:.{}f}", x, precision);
+    if (text.find('.') != std::string::npos) text.erase(text.find_last_not_of('0') + 1);
+    if (text.back() == '.') text.pop_back();
+    return text == "-0" ? "0" : text;
+  };
+  for (const double x : {0.125, 0.375, 2.5, 3.5, 1.005, 0.0005, -0.0005, 0.0015, 999999999.5, 0.99995}) {
+    for (int precision = 0; precision < 10; ++precision) {
+      EXPECT_EQ(format_number(x, precision), expected(x, precision)) << x;
+    }
+  }
+  EXPECT_TRUE(rc::check([&] {
+    const int precision = *rc::gen::inRange(0, 12);
+    const auto halves = *rc::gen::inRange(std::int64_t{-4000000000}, std::int64_t{4000000000});
+    // Half-way between two texts, or next to it.
+    const double tie = 0.5 * static_cast<double>(halves) / std::pow(10.0, *rc::gen::inRange(0, 12));
+    const double x = std::nextafter(tie, *rc::gen::inRange(-1, 2) * 1e300);
+    RC_ASSERT(format_number(x, precision) == expected(x, precision));
+  }));
+}
+
 TEST(Number, AppendsWithoutTouchingWhatIsThere) {
   std::string text = "10.00";
   append_number(text, 20.0, 2);
@@ -68,6 +93,17 @@ TEST(PathDataWriter, WritesAbsoluteCommandsOnly) {
   EXPECT_EQ(format_path_data(paths, lines), "M0 0L3 0C3 2 2 3 0 0ZM-1 -1C-2 0.75 0 0 1 1");
   EXPECT_EQ(format_path_data(paths, lines, 0), "M0 0L3 0C3 2 2 3 0 0ZM-1 -1C-2 1 0 0 1 1");
   EXPECT_EQ(format_path_data({}), "");
+}
+
+TEST(PathDataWriter, WritesFramesAsFormatPathDataDoes) {
+  const PathMorph morph = test::mixed();
+  std::vector<std::vector<bool>> lines;
+  for (const PathContour& contour : morph.contours()) lines.push_back(contour.lines);
+  PathDataWriter write(morph, 3);
+  for (const double s : {0.0, 0.25, 0.5, 1.0}) {
+    EXPECT_EQ(write(s), format_path_data(morph.at(s), lines, 3));
+    EXPECT_EQ(write(s), format_path_data(morph, s, 3));
+  }
 }
 
 // What is written is read back equal, whatever the numbers are.

@@ -284,6 +284,17 @@ TEST(CommonRotation, TakesAllPairsTogether) {
             1e-6);
 }
 
+Curve bar(double width, double height) {
+  return Curve(1, {0, 0, 1, 2, 3, 4, 4}, Points({{0, 0}, {width, 0}, {width, height}, {0, height}, {0, 0}}));
+}
+
+// Bars that differ in proportion alone match at next to no cost, once turned: the search for the best start
+// must not wait until its bounds agree with the path to a share of that.
+TEST(CommonRotation, EndsWhereAMatchCostsNextToNothing) {
+  const Match match = tandem::match(bar(2, 18), bar(24, 4), {.samples = {64, 64}, .rotate = true});
+  EXPECT_NEAR(std::fabs(found_by(match).degrees()), 90.0, 1e-6);
+}
+
 TEST(CommonRotation, WantsAGain) {
   std::mt19937 random(10);
   const Curve a = closed_curve(random);

@@ -32,6 +32,23 @@ inline namespace v0 {
 [[nodiscard]] TANDEM_IO_EXPORT std::string format_path_data(const PathMorph& morph, double s,
                                                             int precision = -1);
 
+/// Writes in-betweens of a morph as path data, over and over: an animation needs no allocation for a frame
+/// once it has written one. Not for several threads at once.
+class TANDEM_IO_EXPORT PathDataWriter {
+ public:
+  /// precision: see format_path_data. The morph must outlive the writer.
+  explicit PathDataWriter(const PathMorph& morph, int precision = -1);
+
+  /// format_path_data(morph, s, precision); valid until the next call.
+  [[nodiscard]] std::string_view operator()(double s);
+
+ private:
+  const PathMorph* morph_;
+  int precision_;
+  std::vector<double> points_;
+  std::string text_;
+};
+
 /// The keys of `morph`, where they are drawn, as path data that is alike but for its numbers, so that any
 /// program which blends number by number morphs them. precision < 0: as many decimals as keep rounding below
 /// 1e-5 of the larger side.

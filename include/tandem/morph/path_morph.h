@@ -64,6 +64,12 @@ class TANDEM_EXPORT PathMorph {
   /// The in-between at s: one path per contour, always with the same segments. Any finite s: beyond the keys
   /// it extrapolates.
   [[nodiscard]] std::vector<CubicPath> at(double s) const;
+  /// How many numbers an in-between is: x and y of the control points of all contours, one after the other.
+  [[nodiscard]] std::size_t coordinate_count() const noexcept;
+  /// The control points of at(s) into the caller's memory, contour after contour: without an allocation, but
+  /// for contours of more than 200 segments that are smoothed on the way.
+  /// @throws InvalidArgument room for another number than coordinate_count()
+  void at(double s, std::span<double> coordinates) const;
   /// The same as the frame sees it: turned back and moved back by pose_at(s).
   [[nodiscard]] std::vector<CubicPath> in_frame(double s) const;
   [[nodiscard]] FramePose pose_at(double s) const;

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "match/sample_pair.h"
+#include "tandem/curve/curve.h"
+#include "tandem/match/match.h"
+
+namespace tandem {
+inline namespace v0 {
+namespace detail {
+
+/// What matching looks at of two curves: whoever matches them several times takes it once.
+struct MatchSamples {
+  SamplePair fine;
+  SamplePair coarse;  ///< of the same curves, fewer
+  Layout layout = Layout::open;
+};
+
+/// The samples that match() would take. @throws InvalidArgument as match()
+[[nodiscard]] MatchSamples sample_for_match(const Curve& a, const Curve& b, const MatchOptions& options);
+
+/// match(a, b, options) on samples that are there. They must have been taken of these curves with options
+/// that differ in direction, norm, features, elastic and reduction options, rotation or coarse_to_fine only;
+/// no pins, not by segments.
+[[nodiscard]] Match match_sampled(const Curve& a, const Curve& b, const MatchOptions& options,
+                                  const MatchSamples& samples);
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace tandem
