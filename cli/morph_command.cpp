@@ -30,6 +30,7 @@ Plan make_plan(const Command& command) {
   plan.output = plan_morph_output(command);
   plan.morph.match = to_match_options(command.match);
   plan.morph.pins = parse_pins(command.match.pins);
+  plan.morph.cuts = !command.no_cut;
   plan.morph.blend = choose<BlendKind>("--blend", command.blend,
                                        {{"auto", BlendKind::automatic},
                                         {"affine", BlendKind::affine},
@@ -74,6 +75,7 @@ void add_morph_command(CLI::App& program, Command& command) {
   add_common_flags(*command.app, command.common);
   add_match_flags(*command.app, command.match);
   add_pin_flag(*command.app, command.match);
+  command.app->add_flag("--no-cut", command.no_cut, "Cut no contour into pieces: what is too much grows from points");
   command.run = run;
 }
 

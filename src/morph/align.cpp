@@ -162,7 +162,8 @@ class Aligner {
       cuts_a.push_back(joint.u);
       cuts_b.push_back(joint.v);
     }
-    return {cut_at(a_, cuts_a, c_.closed), cut_at(b_, cuts_b, c_.closed), std::move(cuts_a)};
+    return {cut_at(a_, cuts_a, c_.closed), cut_at(b_, cuts_b, c_.closed), std::move(cuts_a),
+            std::move(cuts_b)};
   }
 
  private:

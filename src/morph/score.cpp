@@ -36,6 +36,8 @@ constexpr double kAreaWeight = 1.0;
 constexpr double kLengthWeight = 1.0;
 constexpr double kTangentWeight = 0.6;
 constexpr double kTurnWeight = 2.0;  // of half a turn
+// 1 - <T1, T2> of a contour that grows from a point, or shrinks to one: as of one that turns by 90 degrees.
+constexpr double kLoneTangent = 1.0;
 // Shapes whose tangents differ by less once they are turned are nearly one body, whose turn costs less.
 constexpr double kUnlike = 0.1;
 
@@ -43,6 +45,23 @@ struct Sums {
   double area = 0.0;
   double length = 0.0;
 };
+
+struct EndLengths {
+  double first = 0.0;
+  double last = 0.0;
+};
+
+// Of what is drawn at both ends.
+EndLengths lengths_at_ends(const StepBlend& blend, std::size_t contour, const ContourEnds& ends) {
+  if (!blend.has_outlines(contour)) {
+    return {path_length(ends.a.control_points().data()), path_length(ends.b.control_points().data())};
+  }
+  std::vector<double> points(blend.size(contour));
+  blend.at(0.0, contour, points);
+  const double first = path_length(points);
+  blend.at(1.0, contour, points);
+  return {first, path_length(points)};
+}
 
 // The turn on the spot at a joint, as the chord of its angle.
 double break_size(std::span<const double> points, std::size_t joint) {
@@ -60,14 +79,34 @@ std::vector<double> worse_breaks(const ContourEnds& ends) {
   return worse;
 }
 
+double polygon_length(std::span<const double> p) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i + 3 < p.size(); i += 2) {
+    const double x = p[i + 2] - p[i];
+    const double y = p[i + 3] - p[i + 1];
+    sum += std::sqrt(x * x + y * y);
+  }
+  return sum;
+}
+
+// Of a contour that is a point in the other key; 0 of others.
+double lone_length(std::span<const double> a, std::span<const double> b) {
+  const double of_a = polygon_length(a);
+  const double of_b = polygon_length(b);
+  return of_a > 0.0 && of_b > 0.0 ? 0.0 : of_a + of_b;
+}
+
 // The mean of 1 - <T1, T2> over aligned edges of the control polygons, weighted with their lengths, as
-// the frame sees them.
+// the frame sees them. What grows from a point has nothing to be compared with.
 double tangent_difference(std::span<const ContourEnds> ends) {
   double sum = 0.0;
   double whole = 0.0;
   for (const ContourEnds& contour : ends) {
     const std::span<const double> a = contour.a.control_points().data();
     const std::span<const double> b = contour.b.control_points().data();
+    const double lone = lone_length(a, b);
+    sum += kLoneTangent * lone;
+    whole += lone;
     for (std::size_t i = 0; i + 3 < a.size(); i += 2) {
       const double ax = a[i + 2] - a[i], ay = a[i + 3] - a[i + 1];
       const double bx = b[i + 2] - b[i], by = b[i + 3] - b[i + 1];
@@ -130,8 +169,9 @@ Score Judge::judge(const StepBlend& blend, const Score& limit) {
   for (const ContourEnds& contour : ends) {
     breaks.push_back(worse_breaks(contour));
     joints += static_cast<double>(breaks.back().size());
-    first.length += path_length(contour.a.control_points().data());
-    last.length += path_length(contour.b.control_points().data());
+    const EndLengths drawn = lengths_at_ends(blend, breaks.size() - 1, contour);
+    first.length += drawn.first;
+    last.length += drawn.last;
     if (!contour.a.is_closed()) continue;
     first.area += signed_area(contour.a.control_points().data());
     last.area += signed_area(contour.b.control_points().data());

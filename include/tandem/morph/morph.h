@@ -34,6 +34,9 @@ struct MorphOptions {
   BlendKind blend = BlendKind::automatic;
   /// PathMorph of two keys only. The contours of a pin become one another.
   std::vector<MorphPin> pins = {};
+  /// PathMorph of two keys without pins only: whether one solid against several may be cut into as many
+  /// pieces, where the in-betweens are better for it. Otherwise all but one grow from points.
+  bool cuts = true;
 };
 
 /// A morph through n key shapes: matching happens once, in the constructor; at(s) only blends.
