@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 #include <utility>
 
 #include "interrupt.h"
@@ -86,9 +87,11 @@ void say_turn(const Messages& messages, const ShapeReport& report) {
       fmt::format("turned by {:.1f} degrees on the way; --no-rotate blends as the shapes lie", degrees));
 }
 
-/// "contour 2 of shape B", counted from 0 as in reports.
+/// "contour 2 of B", counted from 0 as in reports.
 std::string contour_name(std::size_t contour, std::size_t key) {
-  return fmt::format("contour {} of shape {}", contour, key + 1);
+  constexpr std::string_view kLetters = "ABCDEFGHIJKLMNOPQRSTUVWXYZ";
+  return key < kLetters.size() ? fmt::format("contour {} of {}", contour, kLetters[key])
+                               : fmt::format("contour {} of shape {}", contour, key + 1);
 }
 
 /// A fill closes what is open; a morph draws it as a stroke.

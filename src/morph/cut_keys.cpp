@@ -65,6 +65,20 @@ struct Solids {
   }
 };
 
+// Between two pieces with holes a chord is not pushed out: it would be a line that the key does not have.
+bool shows_chord(const CutPiece& piece) {
+  for (std::size_t i = 0; i < piece.chords.size(); ++i) {
+    if (!piece.chords[i]) continue;
+    const auto p = piece.path.segment(i);
+    const auto q = piece.outline->segment(i);
+    if (std::equal(p[0].begin(), p[0].end(), q[0].begin()) && std::equal(p[3].begin(), p[3].end(), q[3].begin()) &&
+        std::equal(p[1].begin(), p[1].end(), q[1].begin())) {
+      return true;
+    }
+  }
+  return false;
+}
+
 std::vector<CubicPath> turned(std::span<const CubicPath> paths, double degrees) {
   const Transform turn = Transform::rotate_degrees(degrees);
   std::vector<CubicPath> all;
@@ -99,6 +113,7 @@ class Sharing {
       }
       std::vector<CutPiece> pieces = cut_contour(few_[i], targets_of(i, groups[i]), holes_of(i),
                                                  {.outlines = true});
+      if (std::any_of(pieces.begin(), pieces.end(), shows_chord)) pieces.clear();
       any = any || !pieces.empty();
       if (pieces.empty()) parts.push_back({few_[i], i});
       for (CutPiece& piece : pieces) parts.push_back({std::move(piece.path), i, std::move(piece.outline)});

@@ -62,14 +62,22 @@ CubicPath closed_by_line(CubicPath path) {
 }
 
 // Contours of no extent draw nothing; a key that has no others keeps one.
+std::vector<std::size_t> drawn_contours(const Shape& shape) {
+  std::vector<std::size_t> drawn;
+  for (std::size_t i = 0; i < shape.contours.size(); ++i) {
+    if (shape.contours[i].extent() > 0.0) drawn.push_back(i);
+  }
+  if (drawn.empty()) drawn.push_back(0);
+  return drawn;
+}
+
 std::vector<CubicPath> to_paths(const Shape& shape, double tolerance, bool close) {
   const double diagonal = bounding_box(shape).diagonal();
   const double absolute = std::max(tolerance * diagonal, std::numeric_limits<double>::min());
   std::vector<CubicPath> paths;
-  for (const Curve& contour : shape.contours) {
-    if (contour.extent() > 0.0) paths.push_back(to_cubic_path(contour, absolute));
+  for (const std::size_t i : drawn_contours(shape)) {
+    paths.push_back(to_cubic_path(shape.contours[i], absolute));
   }
-  if (paths.empty()) paths.push_back(to_cubic_path(shape.contours.front(), absolute));
   if (close) {
     for (CubicPath& path : paths) path = closed_by_line(std::move(path));
   }
@@ -293,6 +301,12 @@ PathMorph::PathMorph(std::span<const Shape> keys, const MorphOptions& options, d
                                [](const ContourDetour& d) { return !d.is_none(); }),
                    builder.contours()[k]};
     step.contours.resize(builder.tracks().size());
+    const std::vector<std::size_t> of_a = drawn_contours(keys[k]);
+    const std::vector<std::size_t> of_b = drawn_contours(keys[k + 1]);
+    for (ContourStep& contour : step.contours) {
+      if (contour.a) contour.a = of_a[*contour.a];
+      if (contour.b) contour.b = of_b[*contour.b];
+    }
     state->steps.push_back(std::move(step));
   }
   if (state->turns) {

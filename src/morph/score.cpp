@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "morph/measures.h"
+#include "tandem/curve/bounding_box.h"
 
 namespace tandem {
 inline namespace v0 {
@@ -26,6 +27,11 @@ constexpr double kLeastArea = 0.55;
 constexpr double kEven = 0.95;  // of the area of a body that grows evenly
 constexpr double kLeastLength = 0.6;
 constexpr double kMostLength = 1.4;
+
+// Diagonals of a key that a point may move by per unit of s where it leaves it: within 1/5000 of the way
+// it is then still within 1e-3 of its place, as ends that are exact should be (docs/interface.md).
+constexpr double kMostSpeed = 4.8;
+constexpr double kInstant = 2e-4;
 
 // A joint that turns by this much more than in both keys is seen to.
 constexpr double kSeenBreak = 0.02;
@@ -211,7 +217,30 @@ Score Judge::judge(const StepBlend& blend, const Score& limit) {
     if (joints > 0.0) score.blemish += kBreakWeight * broken / std::sqrt(joints) / kOrder.size();
     if (score.faults > limit.faults || (score.faults == 0 && !score.better_than(limit))) return score;
   }
+  if (leaves_too_fast(blend)) score.faults += static_cast<int>(kOrder.size());
   return score;
+}
+
+// Whether a point is so fast at an end that the end seems to jump, in diagonals of that key.
+bool Judge::leaves_too_fast(const StepBlend& blend) {
+  for (const double end : {0.0, 1.0}) {
+    sample(blend, end);
+    const std::vector<std::vector<double>> at_end = points_;
+    Box box;
+    for (const std::vector<double>& points : at_end) {
+      for (std::size_t i = 0; i + 1 < points.size(); i += 2) box.include(std::span(points).subspan(i, 2));
+    }
+    const double most = kMostSpeed * kInstant * box.diagonal();
+    sample(blend, std::fabs(end - kInstant));
+    for (std::size_t c = 0; c < at_end.size(); ++c) {
+      for (std::size_t i = 0; i + 1 < at_end[c].size(); i += 2) {
+        const double x = points_[c][i] - at_end[c][i];
+        const double y = points_[c][i + 1] - at_end[c][i + 1];
+        if (x * x + y * y > most * most) return true;
+      }
+    }
+  }
+  return false;
 }
 
 }  // namespace detail

@@ -260,8 +260,23 @@ std::optional<StepCandidate> StepKeys::match(const Turned& turned, const MatchOp
   return candidate;
 }
 
+// The nearest point of the strokes, which hides there what has no extent, whatever its caps.
+Vec2 StepKeys::Key::on_strokes(Vec2 point) const {
+  const Point from{point.x, point.y};
+  NearestPoint best{0.0, std::numeric_limits<double>::infinity()};
+  Vec2 found = point;
+  for (const Curve& curve : curves) {
+    if (curve.is_closed()) continue;
+    const NearestPoint near = nearest_point(curve, from);
+    if (!(near.distance < best.distance)) continue;
+    best = near;
+    found = to_vec(curve.evaluate(near.parameter));
+  }
+  return found;
+}
+
 // Contours that nobody becomes: each dies to, or is born from, the point to which the contour around it
-// carries its centre; outside of all, its own centre.
+// carries its centre; outside of all, its own centre. Strokes do so on another stroke.
 void StepKeys::add_lonely(StepCandidate& candidate, const Turned& turned) const {
   for (const ContourPair& pair : turned.pairs) {
     if (pair.a && pair.b) continue;
@@ -283,6 +298,7 @@ void StepKeys::add_lonely(StepCandidate& candidate, const Turned& turned) const 
                    : carried_along(point, around->ends.b, around->ends.a);
     }
     const CubicPath& path = key.paths[index];
+    if (!path.is_closed()) point = (dies ? b_ : a_).on_strokes(point);
     ContourEnds ends =
         dies ? ContourEnds{path, collapsed(path, point)} : ContourEnds{collapsed(path, point), path};
     candidate.contours.push_back({{}, {}, {}, {}, std::move(ends), {}});

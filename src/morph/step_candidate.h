@@ -84,6 +84,7 @@ class StepKeys {
   struct Key {
     explicit Key(const StepKey& key);
     [[nodiscard]] std::size_t longest() const;
+    [[nodiscard]] Vec2 on_strokes(Vec2 point) const;
 
     Key(std::vector<KeyPart> parts, const Key& whole);
 

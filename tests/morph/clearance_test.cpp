@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -86,8 +87,8 @@ TEST(Clearance, ShrinksWhatDoesNotFit) {
 
 // The whole of the way aside is gone at the time asked for, and nothing of it at the ends.
 TEST(Clearance, IsThereAtTheTimeAskedFor) {
-  StepBlend blend = still({box({0, 0}, 4), box({3.8, 0}, 1), box({30, 0}, 1)});
   for (const double s : {0.3, 0.7}) {
+    StepBlend blend = still({box({0, 0}, 4), box({3.8, 0}, 1), box({30, 0}, 1)});
     blend.set_detour(1, Clearance().find(blend, 1, s));
     EXPECT_TRUE(is_simple(at(blend, s)));
     EXPECT_EQ(at(blend, 0.0)[1], box({3.8, 0}, 1));

@@ -63,10 +63,17 @@ std::vector<Vec2> points_of(const CubicPath& path) {
   return points;
 }
 
-int winding(const std::vector<CubicPath>& paths, Vec2 p) {
+using Polygons = std::vector<std::vector<Vec2>>;
+
+Polygons flattened(const std::vector<CubicPath>& paths) {
+  Polygons polygons;
+  for (const CubicPath& path : paths) polygons.push_back(points_of(path));
+  return polygons;
+}
+
+int winding(const Polygons& polygons, Vec2 p) {
   int sum = 0;
-  for (const CubicPath& path : paths) {
-    const std::vector<Vec2> q = points_of(path);
+  for (const std::vector<Vec2>& q : polygons) {
     for (std::size_t i = 0; i < q.size(); ++i) {
       const Vec2 a = q[i];
       const Vec2 b = q[(i + 1) % q.size()];
@@ -85,13 +92,14 @@ std::vector<CubicPath> paths_of(const Shape& shape) {
 
 // Points of a fine grid that only one of the two fills: none when they fill the same.
 std::size_t difference(const std::vector<CubicPath>& morphed, const Shape& shape) {
-  const std::vector<CubicPath> paths = paths_of(shape);
+  const Polygons paths = flattened(paths_of(shape));
+  const Polygons own = flattened(morphed);
   std::size_t count = 0;
-  for (double x = -1.013; x < 25; x += 0.2) {
-    for (double y = -1.017; y < 25; y += 0.2) {
-      const int own = winding(paths, {x, y});
-      const bool wanted = shape.fill_rule == FillRule::evenodd ? own % 2 != 0 : own != 0;
-      if ((winding(morphed, {x, y}) != 0) != wanted) ++count;
+  for (double x = -1.013; x < 25; x += 0.3) {
+    for (double y = -1.017; y < 25; y += 0.3) {
+      const int turns = winding(paths, {x, y});
+      const bool wanted = shape.fill_rule == FillRule::evenodd ? turns % 2 != 0 : turns != 0;
+      if ((winding(own, {x, y}) != 0) != wanted) ++count;
     }
   }
   return count;
@@ -176,19 +184,104 @@ TEST(Cuts, HolesGoToThePieceTheyLieIn) {
   expect_exact_ends(made, plate(false), two_plates(false));
   EXPECT_EQ(measure_quality(made).faulty, 0U);
   for (const double s : {0.1, 0.3, 0.5, 0.7, 0.9}) {
-    EXPECT_EQ(winding(made.at(s), {4.1, 4.1}), 0) << s;
-    EXPECT_EQ(winding(made.at(s), {6.1, 4.1}), 1) << s;
+    EXPECT_EQ(winding(flattened(made.at(s)), {4.1, 4.1}), 0) << s;
+    EXPECT_EQ(winding(flattened(made.at(s)), {6.1, 4.1}), 1) << s;
   }
 }
 
-TEST(Cuts, BetweenTwoHolesTheFillIsStillExact) {
+// The chord has nowhere to come in from: there is no cut.
+TEST(Cuts, NoneBetweenTwoHoles) {
   const PathMorph made = morph(plate(true), two_plates(true));
   EXPECT_EQ(difference(made.at(0), plate(true)), 0U);
   EXPECT_EQ(difference(made.at(1), two_plates(true)), 0U);
-  for (const double s : {0.0, 0.5, 1.0}) {
-    EXPECT_EQ(winding(made.at(s), {4.1, 4.1}), 0) << s;
-    EXPECT_EQ(winding(made.at(s), {16.1, 4.1}), 0) << s;
+  EXPECT_LT(whole_contours(made), 4U);
+}
+
+TEST(Cuts, WhatIsBornGrowsEvenlyInEveryBlend) {
+  const auto circle = [](double x, double radius) {
+    PathBuilder builder;
+    builder.move_to({x + radius, 10});
+    builder.arc_to({radius, radius}, 0, false, true, {x - radius, 10});
+    builder.arc_to({radius, radius}, 0, false, true, {x + radius, 10});
+    builder.close();
+    return to_curve(builder.take().front());
+  };
+  const std::vector<Shape> keys{{{circle(5, 4)}}, {{circle(5, 4), circle(18, 2)}}};
+  for (const BlendKind kind : {BlendKind::affine, BlendKind::hermite, BlendKind::intrinsic}) {
+    MorphOptions options;
+    options.cuts = false;
+    options.blend = kind;
+    const PathMorph made(keys, options);
+    ASSERT_EQ(made.contours().size(), 2U);
+    const double whole = signed_area(made.at(1)[1]);
+    for (const double s : {0.1, 0.5, 0.8}) {
+      EXPECT_NEAR(signed_area(made.at(s)[1]), s * s * whole, 1e-9 * std::fabs(whole));
+    }
+    EXPECT_LT(measure_quality(made).g1_defect, 1e-7);
   }
+}
+
+// Drawn with round caps, a stroke of no length is a dot: another stroke covers it.
+TEST(Cuts, StrokesGrowOutOfStrokes) {
+  const auto line = [](Vec2 a, Vec2 b) {
+    PathBuilder builder;
+    builder.move_to(a);
+    builder.line_to(b);
+    return to_curve(builder.take().front());
+  };
+  const Shape plus{{line({12, 4}, {12, 20}), line({4, 12}, {20, 12})}};
+  const Shape minus{{line({4, 15}, {20, 15})}};
+  for (const bool grows : {true, false}) {
+    const PathMorph made = grows ? morph(minus, plus) : morph(plus, minus);
+    EXPECT_LT(stray(made.at(grows ? 0 : 1), minus), 1e-6);
+    EXPECT_LT(stray(made.at(grows ? 1 : 0), plus), 1e-6);
+  }
+}
+
+TEST(Cuts, OpenContoursAreClosedOnDemand) {
+  const auto square = [](double x, double size, bool inside) {
+    PathBuilder builder;
+    builder.move_to({x, x});
+    builder.line_to(inside ? Vec2{x, x + size} : Vec2{x + size, x});
+    builder.line_to({x + size, x + size});
+    builder.line_to(inside ? Vec2{x + size, x} : Vec2{x, x + size});
+    return to_curve(builder.take().front());
+  };
+  const std::vector<Shape> keys{{{square(0, 10, false), square(3, 4, true)}},
+                                {{square(1, 10, false), square(4, 5, true)}}};
+  for (const CubicPath& path : PathMorph(keys, {}).at(0.5)) EXPECT_FALSE(path.is_closed());
+  MorphOptions options;
+  options.match.closed = ClosedMode::yes;
+  const PathMorph made(keys, options);
+  for (const CubicPath& path : made.at(0.5)) EXPECT_TRUE(path.is_closed());
+  EXPECT_NEAR(area(made.at(0)), 100 - 16, 1e-9);  // a hole is a hole again
+  EXPECT_NEAR(area(made.at(1)), 100 - 25, 1e-9);
+}
+
+// An open contour against a closed one, which is cut open where that is best.
+TEST(Cuts, AClosedContourBecomesAnOpenOne) {
+  PathBuilder builder;  // three sides of a square, and a square that starts in the middle of the fourth
+  builder.move_to({10, 0});
+  builder.line_to({0, 0});
+  builder.line_to({0, 10});
+  builder.line_to({10, 10});
+  const Shape open{{to_curve(builder.take().front())}};
+  const Shape closed{{polygon({{5, 10}, {0, 10}, {0, 0}, {10, 0}, {10, 10}})}};
+  const PathMorph made = morph(closed, open);
+  ASSERT_EQ(made.contours().size(), 1U);
+  for (const double s : {0.0, 0.5, 1.0}) EXPECT_FALSE(made.at(s)[0].is_closed());
+  EXPECT_LT(stray(made.at(0), closed), 1e-6);
+  EXPECT_LT(stray(made.at(1), open), 1e-6);
+  EXPECT_EQ(measure_quality(made).faulty, 0U);
+  const Points first = made.at(0)[0].control_points();
+  EXPECT_NEAR(first[0][0], 10.0, 1.6);  // the cut is in the side that the open one lacks, or beside it
+}
+
+TEST(Cuts, TheReportCountsContoursThatDrawNothing) {
+  Shape a = play();
+  a.contours.insert(a.contours.begin(), Curve(1, {0, 0, 1, 1}, Points{{1, 1}, {1, 1}}));
+  const PathMorph made = morph(a, pause());
+  for (const ContourStep& contour : made.steps()[0].contours) EXPECT_EQ(contour.a, std::size_t{1});
 }
 
 TEST(Cuts, AreLeftOutOnDemand) {

@@ -35,7 +35,8 @@ struct MorphOptions {
   /// PathMorph of two keys only. The contours of a pin become one another.
   std::vector<MorphPin> pins = {};
   /// PathMorph of two keys without pins only: whether one solid against several may be cut into as many
-  /// pieces, where the in-betweens are better for it. Otherwise all but one grow from points.
+  /// pieces, where the in-betweens are better for it; else, and where both pieces would have holes, all but
+  /// one grow from points.
   bool cuts = true;
 };
 

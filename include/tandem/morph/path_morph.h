@@ -56,8 +56,7 @@ struct MorphStep {
 ///
 /// A key whose solid is cut into pieces is still that solid: the pieces start where one of them is all of it
 /// and the others are parts of its outline, forth and back, which draw nothing else, filled or stroked; on the
-/// way the chords come in from there. Between pieces that both have holes a chord stands from the start, and
-/// is drawn by a stroke.
+/// way the chords come in from there.
 class TANDEM_EXPORT PathMorph {
  public:
   /// @throws InvalidArgument fewer than two keys, a key without contours, a dimension other than 2, and as
