@@ -109,7 +109,8 @@ void say_open(const Messages& messages, std::span<const Shape> keys) {
   }
   if (count == 0 || !any_closed) return;
   if (count > kMostNamed) open += fmt::format(", and {} more", count - kMostNamed);
-  messages.note(fmt::format("open, and drawn as strokes: {}; --closed yes closes them by straight lines", open));
+  messages.note(
+      fmt::format("open, and drawn as strokes: {}; --closed yes closes them by straight lines", open));
 }
 
 /// Which closed contours became open ones.

@@ -182,10 +182,13 @@ int main(int argc, char** argv) {
   }
   const std::string folder = argv[argc - 1];
   try {
-    std::map<std::string, std::string> pictures = {
-        {"front-page.svg", front_page()}, {"figure-5.svg", figure_5()},   {"figure-6.svg", figure_6()},
-        {"figure-9.svg", figure_9()},     {"figure-12.svg", figure_12()}, {"turn.svg", turn()},
-        {"cuts.svg", cuts()}};
+    std::map<std::string, std::string> pictures = {{"front-page.svg", front_page()},
+                                                   {"figure-5.svg", figure_5()},
+                                                   {"figure-6.svg", figure_6()},
+                                                   {"figure-9.svg", figure_9()},
+                                                   {"figure-12.svg", figure_12()},
+                                                   {"turn.svg", turn()},
+                                                   {"cuts.svg", cuts()}};
     pictures.merge(figures::segment_figures());
     int differ = 0;
     for (const auto& [name, svg] : pictures) {

@@ -71,7 +71,8 @@ bool shows_chord(const CutPiece& piece) {
     if (!piece.chords[i]) continue;
     const auto p = piece.path.segment(i);
     const auto q = piece.outline->segment(i);
-    if (std::equal(p[0].begin(), p[0].end(), q[0].begin()) && std::equal(p[3].begin(), p[3].end(), q[3].begin()) &&
+    if (std::equal(p[0].begin(), p[0].end(), q[0].begin()) &&
+        std::equal(p[3].begin(), p[3].end(), q[3].begin()) &&
         std::equal(p[1].begin(), p[1].end(), q[1].begin())) {
       return true;
     }
@@ -100,7 +101,11 @@ class Sharing {
   // many: turned to lie as `few` does. partner: of each contour of many, in few.
   Sharing(std::span<const CubicPath> few, std::vector<CubicPath> many,
           std::vector<std::optional<std::size_t>> partner)
-      : few_(few), many_paths_(std::move(many)), one_(few), many_(many_paths_), partner_(std::move(partner)) {}
+      : few_(few),
+        many_paths_(std::move(many)),
+        one_(few),
+        many_(many_paths_),
+        partner_(std::move(partner)) {}
 
   std::optional<std::vector<KeyPart>> cut() const {
     const std::vector<std::vector<std::size_t>> groups = share_out();
@@ -111,8 +116,8 @@ class Sharing {
         parts.push_back({few_[i], i});
         continue;
       }
-      std::vector<CutPiece> pieces = cut_contour(few_[i], targets_of(i, groups[i]), holes_of(i),
-                                                 {.outlines = true});
+      std::vector<CutPiece> pieces =
+          cut_contour(few_[i], targets_of(i, groups[i]), holes_of(i), {.outlines = true});
       if (std::any_of(pieces.begin(), pieces.end(), shows_chord)) pieces.clear();
       any = any || !pieces.empty();
       if (pieces.empty()) parts.push_back({few_[i], i});
@@ -136,7 +141,8 @@ class Sharing {
       std::size_t best = 0;
       for (std::size_t i = 0; i < few_.size(); ++i) {
         if (groups[i].empty()) continue;
-        const double d = one_.extents[i].distance_to(many_.whole.moved(many_.extents[j].center(), one_.whole));
+        const double d =
+            one_.extents[i].distance_to(many_.whole.moved(many_.extents[j].center(), one_.whole));
         if (d < nearest) {
           nearest = d;
           best = i;
@@ -151,7 +157,8 @@ class Sharing {
     return groups;
   }
 
-  [[nodiscard]] std::vector<PieceTarget> targets_of(std::size_t i, const std::vector<std::size_t>& group) const {
+  [[nodiscard]] std::vector<PieceTarget> targets_of(std::size_t i,
+                                                    const std::vector<std::size_t>& group) const {
     Extent box = many_.extents[group.front()];
     for (const std::size_t j : group) box.include(many_.extents[j]);
     std::vector<PieceTarget> targets;

@@ -16,7 +16,7 @@ namespace detail {
 /// A contour of a key, or a piece of one.
 struct KeyPart {
   CubicPath path;
-  std::size_t source = 0;  ///< the contour of the key that it is, or is a piece of
+  std::size_t source = 0;                 ///< the contour of the key that it is, or is a piece of
   std::optional<CubicPath> outline = {};  ///< of a piece, see CutPiece::outline
 };
 

@@ -191,7 +191,8 @@ class Builder {
   [[nodiscard]] const std::vector<std::vector<ContourDetour>>& detours() const { return detours_; }
 
  private:
-  // The first step makes the tracks: the first key's contours, or their pieces, in its order, then the others.
+  // The first step makes the tracks: the first key's contours, or their pieces, in its order, then the
+  // others.
   void begin(FoundStep step) {
     tracks_.clear();
     std::vector<FoundContour>& found = step.candidate.contours;
@@ -202,7 +203,8 @@ class Builder {
     detours_.emplace_back();
     for (FoundContour& contour : found) {
       ContourEnds drawn = contour.drawn();
-      tracks_.push_back({{std::move(drawn.a), std::move(drawn.b)}, contour.b.value_or(0), contour.b.has_value(), {}});
+      tracks_.push_back(
+          {{std::move(drawn.a), std::move(drawn.b)}, contour.b.value_or(0), contour.b.has_value(), {}});
       if (contour.outline_a || contour.outline_b) tracks_.back().piece = std::move(contour.ends);
       contours_.back().push_back({contour.a, contour.b, std::move(contour.match)});
       detours_.back().push_back(contour.detour);

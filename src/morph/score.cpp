@@ -234,9 +234,9 @@ bool Judge::leaves_too_fast(const StepBlend& blend) {
     sample(blend, std::fabs(end - kInstant));
     for (std::size_t c = 0; c < at_end.size(); ++c) {
       for (std::size_t i = 0; i + 1 < at_end[c].size(); i += 2) {
-        const double x = points_[c][i] - at_end[c][i];
-        const double y = points_[c][i + 1] - at_end[c][i + 1];
-        if (x * x + y * y > most * most) return true;
+        const double x = (points_[c][i] - at_end[c][i]) / most;  // squares stay in range
+        const double y = (points_[c][i + 1] - at_end[c][i + 1]) / most;
+        if (!(x * x + y * y <= 1.0)) return true;  // nor if it is not finite
       }
     }
   }

@@ -88,7 +88,8 @@ void StepBlend::at(double s, std::size_t contour, std::span<double> points) cons
   if (!c.off_first.empty()) {
     const double early = s < 0.0 ? 1.0 : power(std::max(0.0, 1.0 - s));
     const double late = s > 1.0 ? 1.0 : power(std::max(0.0, s));
-    for (std::size_t i = 0; i < points.size(); ++i) points[i] += early * c.off_first[i] + late * c.off_last[i];
+    for (std::size_t i = 0; i < points.size(); ++i)
+      points[i] += early * c.off_first[i] + late * c.off_last[i];
   }
   frame_.place(s, points);
   // Beyond the ends there is nothing to be avoided.

@@ -138,7 +138,8 @@ class StepSearch {
   // done, share: of the whole work, for the progress.
   bool try_trials(double done, double share) {
     const Progress& progress = options_.match.progress;
-    const double part = share / static_cast<double>(variants_.size() * std::max<std::size_t>(trials_.size(), 1));
+    const double part =
+        share / static_cast<double>(variants_.size() * std::max<std::size_t>(trials_.size(), 1));
     for (MatchOptions& variant : variants_) {
       for (const Trial& trial : trials_) {
         if (progress) {

@@ -159,7 +159,8 @@ TEST(Cuts, OneBecomesTwo) {
   // Nothing grows from a point: the pieces hold what the whole did.
   const double from = area(made.at(0));
   const double to = area(made.at(1));
-  for (const double s : {0.25, 0.5, 0.75}) EXPECT_NEAR(area(made.at(s)), (1 - s) * from + s * to, 0.15 * from);
+  for (const double s : {0.25, 0.5, 0.75})
+    EXPECT_NEAR(area(made.at(s)), (1 - s) * from + s * to, 0.15 * from);
   for (const CubicPath& piece : made.at(0.5)) EXPECT_GT(signed_area(piece), 0.2 * to);
 }
 

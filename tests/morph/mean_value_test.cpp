@@ -35,7 +35,8 @@ CubicPath mapped(const CubicPath& path, const Transform& map) {
 
 // Mean value coordinates reproduce affine maps, inside and outside.
 TEST(MeanValue, FollowsAffineMaps) {
-  const Transform map = Transform::translate(3, -1) * Transform::rotate_degrees(35) * Transform::scale(2, 0.5);
+  const Transform map =
+      Transform::translate(3, -1) * Transform::rotate_degrees(35) * Transform::scale(2, 0.5);
   for (const Vec2 p : {Vec2{5, 3}, Vec2{4, 0.5}, Vec2{1, 0.5}, Vec2{0.5, 3}, Vec2{20, -7}, Vec2{-3, 3}}) {
     const Vec2 q = carried_along(p, outline(), mapped(outline(), map));
     EXPECT_NEAR(q.x, map(p).x, 1e-9);

@@ -238,7 +238,8 @@ TEST(Cut, OutlinesDrawNothingButTheContour) {
       const double own = signed_area(*piece.outline);
       if (std::fabs(own - area) <= 1e-9 * std::fabs(area)) {
         ++whole;
-        RC_ASSERT(std::fabs(arc_length(to_curve(*piece.outline)) - arc_length(to_curve(contour))) <= 1e-6 * 60);
+        RC_ASSERT(std::fabs(arc_length(to_curve(*piece.outline)) - arc_length(to_curve(contour))) <=
+                  1e-6 * 60);
       } else {
         RC_ASSERT(std::fabs(own) <= 1e-9 * std::fabs(area));
       }

@@ -55,8 +55,8 @@ struct MorphStep {
 /// diagonal otherwise; all with the same segments. ClosedMode::yes closes their open contours by lines.
 ///
 /// A key whose solid is cut into pieces is still that solid: the pieces start where one of them is all of it
-/// and the others are parts of its outline, forth and back, which draw nothing else, filled or stroked; on the
-/// way the chords come in from there.
+/// and the others are parts of its outline, forth and back, which draw nothing else, filled or stroked; on
+/// the way the chords come in from there.
 class TANDEM_EXPORT PathMorph {
  public:
   /// @throws InvalidArgument fewer than two keys, a key without contours, a dimension other than 2, and as

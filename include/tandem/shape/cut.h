@@ -29,8 +29,8 @@ struct CutOptions {
 struct CutPiece {
   CubicPath path;            ///< closed, wound like the contour
   std::vector<bool> chords;  ///< per segment: it is a chord (or a part of one), and not on the outline
-  /// CutOptions::outlines: the same segments, where the chords are pushed out onto the contour; a chord has as
-  /// many segments as it takes. One piece is the whole contour then, the others are parts of it, forth and
+  /// CutOptions::outlines: the same segments, where the chords are pushed out onto the contour; a chord has
+  /// as many segments as it takes. One piece is the whole contour then, the others are parts of it, forth and
   /// back: filled or stroked, all of them together draw the contour and nothing else. Linear in between, a
   /// chord has both its pieces on the same curve at all times. Between two pieces with holes a chord is not
   /// pushed: it would run over them.
