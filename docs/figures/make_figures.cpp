@@ -159,7 +159,10 @@ std::string cuts() {
     std::vector<Shape> shapes;
     for (double s : kTimes) {
       shapes.emplace_back();
-      for (const CubicPath& path : morph.at(s)) shapes.back().contours.push_back(to_curve(path));
+      for (const CubicPath& path : morph.at(s)) {
+        const Curve contour = to_curve(path);
+        if (contour.extent() > 1e-6) shapes.back().contours.push_back(contour);
+      }
     }
     return shapes;
   };
