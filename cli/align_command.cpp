@@ -47,6 +47,7 @@ Status run(const Command& command) {
   tandem::MorphOptions options;
   options.match = to_match_options(command.match);
   options.pins = parse_pins(command.match.pins);
+  options.cuts = false;  // chords come in from the outline along curves, which takes more than two frames
   // Number by number, nothing turns; the match alone may.
   options.match.rotate = options.match.rotate.value_or(false);
   options.blend = tandem::BlendKind::affine;

@@ -38,6 +38,7 @@ struct Command {
   std::string precision;
   std::string css = "d";
   std::string name = "morph";
+  bool no_cut = false;
   std::function<Status(const Command&)> run;
 };
 

@@ -40,6 +40,7 @@ Plan make_plan(const Command& command) {
                                           {"intrinsic", BlendKind::intrinsic},
                                           {"detour", BlendKind::detour}});
   }
+  plan.morph.cuts = !command.no_cut;
   return plan;
 }
 
@@ -76,6 +77,8 @@ void add_morph_command(CLI::App& program, Command& command) {
   add_common_flags(*command.app, command.common);
   add_match_flags(*command.app, command.match);
   add_pin_flag(*command.app, command.match);
+  command.app->add_flag("--no-cut", command.no_cut,
+                        "Cut no contour into pieces: what is too much grows from points");
   command.run = run;
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 #include <utility>
 
 #include "interrupt.h"
@@ -16,6 +17,9 @@ namespace {
 
 using tandem::Morph;
 using tandem::Shape;
+
+// Contours that a note names at most.
+constexpr std::size_t kMostNamed = 5;
 
 ShapeReport report_of(const Morph& morph, std::size_t key, const Shape& a, const Shape& b) {
   return make_report(a.contours.size(), b.contours.size(), [&](std::size_t i) -> const tandem::Match* {
@@ -83,6 +87,47 @@ void say_turn(const Messages& messages, const ShapeReport& report) {
       fmt::format("turned by {:.1f} degrees on the way; --no-rotate blends as the shapes lie", degrees));
 }
 
+/// "contour 2 of B", counted from 0 as in reports.
+std::string contour_name(std::size_t contour, std::size_t key) {
+  constexpr std::string_view kLetters = "ABCDEFGHIJKLMNOPQRSTUVWXYZ";
+  return key < kLetters.size() ? fmt::format("contour {} of {}", contour, kLetters[key])
+                               : fmt::format("contour {} of shape {}", contour, key + 1);
+}
+
+/// A fill closes what is open; a morph draws it as a stroke.
+void say_open(const Messages& messages, std::span<const Shape> keys) {
+  std::string open;
+  std::size_t count = 0;
+  bool any_closed = false;
+  for (std::size_t k = 0; k < keys.size(); ++k) {
+    for (std::size_t i = 0; i < keys[k].contours.size(); ++i) {
+      const tandem::Curve& contour = keys[k].contours[i];
+      any_closed = any_closed || contour.is_closed();
+      if (contour.is_closed() || ++count > kMostNamed) continue;
+      open += (open.empty() ? "" : ", ") + contour_name(i, k);
+    }
+  }
+  if (count == 0 || !any_closed) return;
+  if (count > kMostNamed) open += fmt::format(", and {} more", count - kMostNamed);
+  messages.note(
+      fmt::format("open, and drawn as strokes: {}; --closed yes closes them by straight lines", open));
+}
+
+/// Which closed contours became open ones.
+void say_cut_open(const Messages& messages, const tandem::PathMorph& morph, std::span<const Shape> keys) {
+  for (std::size_t k = 0; k < morph.steps().size(); ++k) {
+    for (const tandem::ContourStep& step : morph.steps()[k].contours) {
+      if (!step.match) continue;
+      const bool a = keys[k].contours[*step.a].is_closed();
+      const bool b = keys[k + 1].contours[*step.b].is_closed();
+      if (a == b) continue;
+      messages.note(fmt::format("{} is closed, {} open: the closed one is cut where that is best",
+                                a ? contour_name(*step.a, k) : contour_name(*step.b, k + 1),
+                                a ? contour_name(*step.b, k + 1) : contour_name(*step.a, k)));
+    }
+  }
+}
+
 }  // namespace
 
 MorphRun run_morph(const Command& command, std::span<const Shape> keys, tandem::MorphOptions options,
@@ -110,6 +155,10 @@ MorphRun run_morph(const Command& command, std::span<const Shape> keys, tandem::
     messages.error("no valid match exists for these samples (--strict): nothing was written");
     result.status = kNoValidMatch;
     return result;
+  }
+  if (result.paths && options.match.closed != tandem::ClosedMode::yes) {
+    say_open(messages, keys);
+    say_cut_open(messages, *result.paths, keys);
   }
   for (const ShapeReport& report : result.reports) {
     warn(messages, report);

@@ -150,6 +150,32 @@ std::string turn() {
   return sheet.svg();
 }
 
+/// Spec B2: one against several.
+std::string cuts() {
+  const auto row = [](const char* a, const char* b, bool cut) {
+    const std::vector<Shape> keys = {load_shape(a), load_shape(b)};
+    MorphOptions options;
+    options.cuts = cut;
+    const PathMorph morph(keys, options);
+    std::vector<Shape> shapes;
+    for (double s : kTimes) {
+      shapes.emplace_back();
+      for (const CubicPath& path : morph.at(s)) {
+        const Curve contour = to_curve(path);
+        if (contour.extent() > 1e-6) shapes.back().contours.push_back(contour);
+      }
+    }
+    return shapes;
+  };
+  const char* play = "M6 4L20 12L6 20Z";
+  const char* pause = "M5 4H10V20H5ZM14 4H19V20H14Z";
+  Sheet sheet(110, 100);
+  sheet.add_row("Cut", row(play, pause, true));
+  sheet.add_row("--no-cut", row(play, pause, false));
+  sheet.add_row("Cut in three", row("M2 10H22V14H2Z", "M2 10H6V14H2ZM10 10H14V14H10ZM18 10H22V14H18Z", true));
+  return sheet.svg();
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -160,9 +186,13 @@ int main(int argc, char** argv) {
   }
   const std::string folder = argv[argc - 1];
   try {
-    std::map<std::string, std::string> pictures = {
-        {"front-page.svg", front_page()}, {"figure-5.svg", figure_5()},   {"figure-6.svg", figure_6()},
-        {"figure-9.svg", figure_9()},     {"figure-12.svg", figure_12()}, {"turn.svg", turn()}};
+    std::map<std::string, std::string> pictures = {{"front-page.svg", front_page()},
+                                                   {"figure-5.svg", figure_5()},
+                                                   {"figure-6.svg", figure_6()},
+                                                   {"figure-9.svg", figure_9()},
+                                                   {"figure-12.svg", figure_12()},
+                                                   {"turn.svg", turn()},
+                                                   {"cuts.svg", cuts()}};
     pictures.merge(figures::segment_figures());
     pictures.merge(figures::morph_figures());
     int differ = 0;

@@ -114,7 +114,8 @@ class Aligner {
       cuts_a.push_back(joint.u);
       cuts_b.push_back(joint.v);
     }
-    return {cut_at(a_, cuts_a, c_.closed), cut_at(b_, cuts_b, c_.closed), std::move(cuts_a)};
+    return {cut_at(a_, cuts_a, c_.closed), cut_at(b_, cuts_b, c_.closed), std::move(cuts_a),
+            std::move(cuts_b)};
   }
 
  private:
@@ -356,7 +357,7 @@ AlignedPaths cut_in_step(const CubicPath& a, const CubicPath& b, const Correspon
     cuts_b.push_back(point.v);
   }
   return {cut_at(a, cuts_a, correspondence.closed), cut_at(b, cuts_b, correspondence.closed),
-          std::move(cuts_a)};
+          std::move(cuts_a), std::move(cuts_b)};
 }
 
 }  // namespace v0

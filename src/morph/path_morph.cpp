@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
 #include "morph/length_center.h"
 #include "morph/step_blend.h"
 #include "morph/step_search.h"
+#include "shape/third.h"
 #include "tandem/error.h"
 #include "tandem/morph/align.h"
 #include "tandem/shape/intersections.h"
@@ -46,15 +48,39 @@ void check_keys(std::span<const Shape> keys) {
   }
 }
 
+// As a fill closes it.
+CubicPath closed_by_line(CubicPath path) {
+  if (path.is_closed()) return path;
+  Points points = path.control_points();
+  const std::array<double, 2> from{points.back()[0], points.back()[1]};
+  const std::array<double, 2> to{points.front()[0], points.front()[1]};
+  if (from == to) return CubicPath(std::move(points), true);
+  points.push_back(std::array{third(from[0], to[0]), third(from[1], to[1])});
+  points.push_back(std::array{third(to[0], from[0]), third(to[1], from[1])});
+  points.push_back(to);
+  return CubicPath(std::move(points), true);
+}
+
 // Contours of no extent draw nothing; a key that has no others keeps one.
-std::vector<CubicPath> to_paths(const Shape& shape, double tolerance) {
+std::vector<std::size_t> drawn_contours(const Shape& shape) {
+  std::vector<std::size_t> drawn;
+  for (std::size_t i = 0; i < shape.contours.size(); ++i) {
+    if (shape.contours[i].extent() > 0.0) drawn.push_back(i);
+  }
+  if (drawn.empty()) drawn.push_back(0);
+  return drawn;
+}
+
+std::vector<CubicPath> to_paths(const Shape& shape, double tolerance, bool close) {
   const double diagonal = bounding_box(shape).diagonal();
   const double absolute = std::max(tolerance * diagonal, std::numeric_limits<double>::min());
   std::vector<CubicPath> paths;
-  for (const Curve& contour : shape.contours) {
-    if (contour.extent() > 0.0) paths.push_back(to_cubic_path(contour, absolute));
+  for (const std::size_t i : drawn_contours(shape)) {
+    paths.push_back(to_cubic_path(shape.contours[i], absolute));
   }
-  if (paths.empty()) paths.push_back(to_cubic_path(shape.contours.front(), absolute));
+  if (close) {
+    for (CubicPath& path : paths) path = closed_by_line(std::move(path));
+  }
   return orient(paths, shape.fill_rule);
 }
 
@@ -63,6 +89,8 @@ struct Track {
   std::vector<CubicPath> keys;
   std::size_t source = 0;  ///< which contour of the last key it is
   bool alive = true;
+  /// Of a piece of a contour, in a morph of two keys: what is blended.
+  std::optional<ContourEnds> piece = {};
 };
 
 Vec2 center_of(const Shape& shape) {
@@ -158,7 +186,11 @@ class Builder {
     }
     std::optional<FoundStep> step = detail::find_step({a, center_}, {key, center}, options_);
     if (!step) return false;
-    append(*std::move(step), track_of);
+    if (tracks_.front().keys.size() == 1) {
+      begin(*std::move(step));
+    } else {
+      append(*std::move(step), track_of);
+    }
     center_ = center;
     return true;
   }
@@ -169,6 +201,28 @@ class Builder {
   [[nodiscard]] const std::vector<std::vector<ContourDetour>>& detours() const { return detours_; }
 
  private:
+  // The first step makes the tracks: the first key's contours, or their pieces, in its order, then the
+  // others.
+  void begin(FoundStep step) {
+    tracks_.clear();
+    std::vector<FoundContour>& found = step.candidate.contours;
+    std::stable_sort(found.begin(), found.end(), [](const FoundContour& x, const FoundContour& y) {
+      return x.a && (!y.a || *x.a < *y.a);
+    });
+    contours_.emplace_back();
+    detours_.emplace_back();
+    for (FoundContour& contour : found) {
+      ContourEnds drawn = contour.drawn();
+      tracks_.push_back(
+          {{std::move(drawn.a), std::move(drawn.b)}, contour.b.value_or(0), contour.b.has_value(), {}});
+      if (contour.outline_a || contour.outline_b) tracks_.back().piece = std::move(contour.ends);
+      contours_.back().push_back({contour.a, contour.b, std::move(contour.match)});
+      detours_.back().push_back(contour.detour);
+    }
+    found.clear();
+    steps_.push_back(std::move(step));
+  }
+
   void append(FoundStep step, const std::vector<std::size_t>& track_of) {
     const std::size_t before = tracks_.front().keys.size();
     std::vector<ContourStep> contours(tracks_.size());
@@ -222,10 +276,12 @@ PathMorph::PathMorph(std::span<const Shape> keys, const MorphOptions& options, d
   }
   auto state = std::make_unique<State>();
   state->key_count = keys.size();
-  Builder builder(options);
+  MorphOptions own = options;
+  own.cuts = options.cuts && keys.size() == 2;  // keys before and after a cut would have to follow it
+  Builder builder(own);
   std::vector<double> line_tolerances;
   for (const Shape& key : keys) {
-    std::vector<CubicPath> paths = to_paths(key, tolerance);
+    std::vector<CubicPath> paths = to_paths(key, tolerance, options.match.closed == ClosedMode::yes);
     if (key.fill_rule == FillRule::evenodd && !is_simple(paths)) state->fill_rule = FillRule::evenodd;
     line_tolerances.push_back(kLineTolerance * bounding_box(key).diagonal());
     if (!builder.add(std::move(paths), center_of(key))) {
@@ -238,11 +294,16 @@ PathMorph::PathMorph(std::span<const Shape> keys, const MorphOptions& options, d
   for (std::size_t k = 0; k + 1 < keys.size(); ++k) {
     const FoundStep& found = builder.steps()[k];
     std::vector<ContourEnds> ends;
-    for (const Track& track : builder.tracks()) ends.push_back({track.keys[k], track.keys[k + 1]});
+    for (const Track& track : builder.tracks()) {
+      ends.push_back(track.piece ? *track.piece : ContourEnds{track.keys[k], track.keys[k + 1]});
+    }
     const detail::PlanarFrame& frame = found.candidate.frame;
     state->blends.emplace_back(found.kind, frame, ends);
-    for (std::size_t t = 0; t < builder.detours()[k].size(); ++t)
+    for (std::size_t t = 0; t < builder.detours()[k].size(); ++t) {
       state->blends.back().set_detour(t, builder.detours()[k][t]);
+      const Track& track = builder.tracks()[t];
+      if (track.piece) state->blends.back().set_outlines(t, {track.keys[k], track.keys[k + 1]});
+    }
     state->linear = state->linear && state->blends.back().is_linear();
     const double degrees = found.kind == BlendKind::bezier ? 0.0 : frame.degrees();
     state->turns = state->turns || degrees != 0.0;
@@ -252,6 +313,12 @@ PathMorph::PathMorph(std::span<const Shape> keys, const MorphOptions& options, d
                                [](const ContourDetour& d) { return !d.is_none(); }),
                    builder.contours()[k]};
     step.contours.resize(builder.tracks().size());
+    const std::vector<std::size_t> of_a = drawn_contours(keys[k]);
+    const std::vector<std::size_t> of_b = drawn_contours(keys[k + 1]);
+    for (ContourStep& contour : step.contours) {
+      if (contour.a) contour.a = of_a[*contour.a];
+      if (contour.b) contour.b = of_b[*contour.b];
+    }
     state->steps.push_back(std::move(step));
   }
   if (state->turns) {

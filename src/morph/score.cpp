@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "morph/measures.h"
+#include "tandem/curve/bounding_box.h"
 
 namespace tandem {
 inline namespace v0 {
@@ -27,6 +28,11 @@ constexpr double kEven = 0.95;  // of the area of a body that grows evenly
 constexpr double kLeastLength = 0.6;
 constexpr double kMostLength = 1.4;
 
+// Diagonals of a key that a point may move by per unit of s where it leaves it: within 1/5000 of the way
+// it is then still within 1e-3 of its place, as ends that are exact should be (docs/interface.md).
+constexpr double kMostSpeed = 4.8;
+constexpr double kInstant = 2e-4;
+
 // A joint that turns by this much more than in both keys is seen to.
 constexpr double kSeenBreak = 0.02;
 
@@ -36,6 +42,8 @@ constexpr double kAreaWeight = 1.0;
 constexpr double kLengthWeight = 1.0;
 constexpr double kTangentWeight = 0.6;
 constexpr double kTurnWeight = 2.0;  // of half a turn
+// 1 - <T1, T2> of a contour that grows from a point, or shrinks to one: as of one that turns by 90 degrees.
+constexpr double kLoneTangent = 1.0;
 // Shapes whose tangents differ by less once they are turned are nearly one body, whose turn costs less.
 constexpr double kUnlike = 0.1;
 
@@ -43,6 +51,23 @@ struct Sums {
   double area = 0.0;
   double length = 0.0;
 };
+
+struct EndLengths {
+  double first = 0.0;
+  double last = 0.0;
+};
+
+// Of what is drawn at both ends.
+EndLengths lengths_at_ends(const StepBlend& blend, std::size_t contour, const ContourEnds& ends) {
+  if (!blend.has_outlines(contour)) {
+    return {path_length(ends.a.control_points().data()), path_length(ends.b.control_points().data())};
+  }
+  std::vector<double> points(blend.size(contour));
+  blend.at(0.0, contour, points);
+  const double first = path_length(points);
+  blend.at(1.0, contour, points);
+  return {first, path_length(points)};
+}
 
 // The turn on the spot at a joint, as the chord of its angle.
 double break_size(std::span<const double> points, std::size_t joint) {
@@ -60,14 +85,34 @@ std::vector<double> worse_breaks(const ContourEnds& ends) {
   return worse;
 }
 
+double polygon_length(std::span<const double> p) {
+  double sum = 0.0;
+  for (std::size_t i = 0; i + 3 < p.size(); i += 2) {
+    const double x = p[i + 2] - p[i];
+    const double y = p[i + 3] - p[i + 1];
+    sum += std::sqrt(x * x + y * y);
+  }
+  return sum;
+}
+
+// Of a contour that is a point in the other key; 0 of others.
+double lone_length(std::span<const double> a, std::span<const double> b) {
+  const double of_a = polygon_length(a);
+  const double of_b = polygon_length(b);
+  return of_a > 0.0 && of_b > 0.0 ? 0.0 : of_a + of_b;
+}
+
 // The mean of 1 - <T1, T2> over aligned edges of the control polygons, weighted with their lengths, as
-// the frame sees them.
+// the frame sees them. What grows from a point has nothing to be compared with.
 double tangent_difference(std::span<const ContourEnds> ends) {
   double sum = 0.0;
   double whole = 0.0;
   for (const ContourEnds& contour : ends) {
     const std::span<const double> a = contour.a.control_points().data();
     const std::span<const double> b = contour.b.control_points().data();
+    const double lone = lone_length(a, b);
+    sum += kLoneTangent * lone;
+    whole += lone;
     for (std::size_t i = 0; i + 3 < a.size(); i += 2) {
       const double ax = a[i + 2] - a[i], ay = a[i + 3] - a[i + 1];
       const double bx = b[i + 2] - b[i], by = b[i + 3] - b[i + 1];
@@ -130,8 +175,9 @@ Score Judge::judge(const StepBlend& blend, const Score& limit) {
   for (const ContourEnds& contour : ends) {
     breaks.push_back(worse_breaks(contour));
     joints += static_cast<double>(breaks.back().size());
-    first.length += path_length(contour.a.control_points().data());
-    last.length += path_length(contour.b.control_points().data());
+    const EndLengths drawn = lengths_at_ends(blend, breaks.size() - 1, contour);
+    first.length += drawn.first;
+    last.length += drawn.last;
     if (!contour.a.is_closed()) continue;
     first.area += signed_area(contour.a.control_points().data());
     last.area += signed_area(contour.b.control_points().data());
@@ -171,7 +217,30 @@ Score Judge::judge(const StepBlend& blend, const Score& limit) {
     if (joints > 0.0) score.blemish += kBreakWeight * broken / std::sqrt(joints) / kOrder.size();
     if (score.faults > limit.faults || (score.faults == 0 && !score.better_than(limit))) return score;
   }
+  if (leaves_too_fast(blend)) score.faults += static_cast<int>(kOrder.size());
   return score;
+}
+
+// Whether a point is so fast at an end that the end seems to jump, in diagonals of that key.
+bool Judge::leaves_too_fast(const StepBlend& blend) {
+  for (const double end : {0.0, 1.0}) {
+    sample(blend, end);
+    const std::vector<std::vector<double>> at_end = points_;
+    Box box;
+    for (const std::vector<double>& points : at_end) {
+      for (std::size_t i = 0; i + 1 < points.size(); i += 2) box.include(std::span(points).subspan(i, 2));
+    }
+    const double most = kMostSpeed * kInstant * box.diagonal();
+    sample(blend, std::fabs(end - kInstant));
+    for (std::size_t c = 0; c < at_end.size(); ++c) {
+      for (std::size_t i = 0; i + 1 < at_end[c].size(); i += 2) {
+        const double x = (points_[c][i] - at_end[c][i]) / most;  // squares stay in range
+        const double y = (points_[c][i + 1] - at_end[c][i + 1]) / most;
+        if (!(x * x + y * y <= 1.0)) return true;  // nor if it is not finite
+      }
+    }
+  }
+  return false;
 }
 
 }  // namespace detail

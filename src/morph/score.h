@@ -17,7 +17,7 @@ namespace detail {
 /// How good the in-betweens of a step are; less is better.
 struct Score {
   /// In-betweens that cross or fold, in which a closed contour loses too much area, or length leaves its
-  /// bounds.
+  /// bounds; as if all were, where a key is left too fast.
   int faults = std::numeric_limits<int>::max();
   /// How much of that there is: crossings and shares of folded regions, summed up.
   double trouble = std::numeric_limits<double>::infinity();
@@ -44,6 +44,7 @@ class Judge {
  private:
   [[nodiscard]] double trouble_of_frame();
   void sample(const StepBlend& blend, double s);
+  [[nodiscard]] bool leaves_too_fast(const StepBlend& blend);
 
   double diagonal_;
   CrossingFinder finder_;

@@ -39,6 +39,9 @@ class StepBlend {
 
   /// Sends a contour on a detour.
   void set_detour(std::size_t contour, const ContourDetour& detour);
+  /// Lets a contour start and end as `drawn`, which has its segments, from and to where its blend is on its
+  /// own: chords of pieces come in from the outline, and go out to it, fast but smoothly.
+  void set_outlines(std::size_t contour, const ContourEnds& drawn);
 
   [[nodiscard]] std::size_t contour_count() const noexcept { return contours_.size(); }
   /// Number of coordinates of a contour.
@@ -52,6 +55,10 @@ class StepBlend {
   }
   /// Both keys' contours as the frame sees them.
   [[nodiscard]] std::vector<ContourEnds> ends_in_frame() const;
+  /// Whether the contour is drawn otherwise at the ends than it blends.
+  [[nodiscard]] bool has_outlines(std::size_t contour) const noexcept {
+    return !contours_[contour].off_first.empty();
+  }
   /// By how much the frame turns.
   [[nodiscard]] double degrees() const noexcept { return frame_.degrees(); }
   [[nodiscard]] const ContourDetour& detour(std::size_t contour) const noexcept {
@@ -68,6 +75,8 @@ class StepBlend {
     ContourEnds ends;  ///< as the frame sees them
     ContourDetour detour;
     std::optional<Detour> filter;
+    std::vector<double> off_first;  ///< from what is blended to what is drawn at the ends, in the frame
+    std::vector<double> off_last;
   };
   PlanarFrame frame_;
   std::vector<Contour> contours_;

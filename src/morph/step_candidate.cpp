@@ -60,9 +60,13 @@ double radius_of_gyration(std::span<const CubicPath> paths, Vec2 center) {
 }
 
 /// The pair that contour `index` of the first key (else of the second) belongs to.
-const FoundContour* find_pair(const StepCandidate& candidate, std::size_t index, bool of_first) {
-  for (const FoundContour& found : candidate.contours) {
-    if (found.a && found.b && (of_first ? *found.a : *found.b) == index) return &found;
+const FoundContour* find_pair(const StepCandidate& candidate, std::span<const ContourPair> pairs,
+                              std::size_t index, bool of_first) {
+  std::size_t k = 0;  // the candidate's contours are those of the pairs, in their order
+  for (const ContourPair& pair : pairs) {
+    if (!pair.a || !pair.b) continue;
+    if ((of_first ? *pair.a : *pair.b) == index) return &candidate.contours[k];
+    ++k;
   }
   return nullptr;
 }
@@ -79,7 +83,9 @@ std::vector<ContourEnds> StepCandidate::ends() const {
 StepBlend StepCandidate::blend(BlendKind kind) const {
   StepBlend made(kind, frame, ends());
   for (std::size_t c = 0; c < contours.size(); ++c) {
-    if (!contours[c].detour.is_none()) made.set_detour(c, contours[c].detour);
+    const FoundContour& contour = contours[c];
+    if (!contour.detour.is_none()) made.set_detour(c, contour.detour);
+    if (contour.outline_a || contour.outline_b) made.set_outlines(c, contour.drawn());
   }
   return made;
 }
@@ -88,8 +94,21 @@ StepKeys::Key::Key(const StepKey& key)
     : paths(key.contours.begin(), key.contours.end()),
       nesting(find_nesting(key.contours, FillRule::nonzero)),
       center(key.center) {
+  for (std::size_t i = 0; i < paths.size(); ++i) sources.push_back(i);
+  outlines.resize(paths.size());
   for (const CubicPath& path : paths) curves.push_back(to_curve(path));
   gyration = radius_of_gyration(paths, center);
+}
+
+StepKeys::Key::Key(std::vector<KeyPart> parts, const Key& whole)
+    : center(whole.center), gyration(whole.gyration) {
+  for (KeyPart& part : parts) {
+    curves.push_back(to_curve(part.path));
+    paths.push_back(std::move(part.path));
+    sources.push_back(part.source);
+    outlines.push_back(std::move(part.outline));
+  }
+  nesting = find_nesting(paths, FillRule::nonzero);
 }
 
 std::size_t StepKeys::Key::longest() const {
@@ -102,6 +121,13 @@ std::size_t StepKeys::Key::longest() const {
 
 StepKeys::StepKeys(const StepKey& a, const StepKey& b, std::span<const MorphPin> pins) : a_(a), b_(b) {
   for (const MorphPin& pin : pins) locate(pin);
+}
+
+StepKeys::StepKeys(const StepKeys& whole, CutKeys cut)
+    : a_(std::move(cut.a), whole.a_), b_(std::move(cut.b), whole.b_) {}
+
+std::optional<CutKeys> StepKeys::cut(const Turned& turned) const {
+  return cut_keys(a_.paths, b_.paths, turned.pairs, turned.turn);
 }
 
 void StepKeys::locate(const MorphPin& pin) {
@@ -224,12 +250,18 @@ std::optional<StepCandidate> StepKeys::match(const Turned& turned, const MatchOp
     if (found.report.cancelled) return std::nullopt;
     AlignedPaths aligned = own.method == Method::segments ? cut_in_step(a, b, found.correspondence)
                                                           : align(a, b, found.correspondence, joints);
-    candidate.contours.push_back({pair.a,
-                                  pair.b,
+    candidate.contours.push_back({a_.sources[*pair.a],
+                                  b_.sources[*pair.b],
                                   std::move(found),
                                   std::move(aligned.cuts),
                                   {std::move(aligned.a), std::move(aligned.b)},
                                   {}});
+    FoundContour& made = candidate.contours.back();
+    const bool closed = made.ends.a.is_closed();
+    if (const auto& outline = a_.outlines[*pair.a]) made.outline_a = cut_at(*outline, made.cuts, closed);
+    if (const auto& outline = b_.outlines[*pair.b]) {
+      made.outline_b = cut_at(*outline, aligned.cuts_b, closed);
+    }
   }
   add_lonely(candidate, turned);
   return candidate;
@@ -254,8 +286,23 @@ Match StepKeys::match_pair(std::size_t a, std::size_t b, const MatchOptions& opt
   return match_sampled(first, second, options, samples_of(a, b, options));
 }
 
+// The nearest point of the strokes, which hides there what has no extent, whatever its caps.
+Vec2 StepKeys::Key::on_strokes(Vec2 point) const {
+  const Point from{point.x, point.y};
+  NearestPoint best{0.0, std::numeric_limits<double>::infinity()};
+  Vec2 found = point;
+  for (const Curve& curve : curves) {
+    if (curve.is_closed()) continue;
+    const NearestPoint near = nearest_point(curve, from);
+    if (!(near.distance < best.distance)) continue;
+    best = near;
+    found = to_vec(curve.evaluate(near.parameter));
+  }
+  return found;
+}
+
 // Contours that nobody becomes: each dies to, or is born from, the point to which the contour around it
-// carries its centre; outside of all, its own centre.
+// carries its centre; outside of all, its own centre. Strokes do so on another stroke.
 void StepKeys::add_lonely(StepCandidate& candidate, const Turned& turned) const {
   for (const ContourPair& pair : turned.pairs) {
     if (pair.a && pair.b) continue;
@@ -267,7 +314,7 @@ void StepKeys::add_lonely(StepCandidate& candidate, const Turned& turned) const 
     const FoundContour* around = nullptr;
     for (std::optional<std::size_t> parent = key.nesting[outermost].parent; parent;
          parent = key.nesting[outermost].parent) {
-      around = find_pair(candidate, *parent, dies);
+      around = find_pair(candidate, turned.pairs, *parent, dies);
       if (around != nullptr) break;
       outermost = *parent;
     }
@@ -277,9 +324,13 @@ void StepKeys::add_lonely(StepCandidate& candidate, const Turned& turned) const 
                    : carried_along(point, around->ends.b, around->ends.a);
     }
     const CubicPath& path = key.paths[index];
+    if (!path.is_closed()) point = (dies ? b_ : a_).on_strokes(point);
     ContourEnds ends =
         dies ? ContourEnds{path, collapsed(path, point)} : ContourEnds{collapsed(path, point), path};
-    candidate.contours.push_back({pair.a, pair.b, {}, {}, std::move(ends), {}});
+    candidate.contours.push_back({{}, {}, {}, {}, std::move(ends), {}});
+    FoundContour& made = candidate.contours.back();
+    (dies ? made.a : made.b) = key.sources[index];
+    (dies ? made.outline_a : made.outline_b) = key.outlines[index];
   }
 }
 
@@ -304,8 +355,10 @@ StepCandidate subdivided(StepCandidate candidate, double longest) {
         own.push_back(p == parts ? to : from + (to - from) * p / parts);
       }
     }
-    contour.ends.a = cut_at(contour.ends.a, cuts, contour.ends.a.is_closed());
-    contour.ends.b = cut_at(contour.ends.b, cuts, contour.ends.b.is_closed());
+    for (CubicPath* path : {&contour.ends.a, &contour.ends.b}) *path = cut_at(*path, cuts, path->is_closed());
+    for (auto* outline : {&contour.outline_a, &contour.outline_b}) {
+      if (*outline) *outline = cut_at(**outline, cuts, (*outline)->is_closed());
+    }
     if (contour.a) contour.cuts = std::move(own);
   }
   return candidate;

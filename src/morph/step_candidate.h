@@ -9,6 +9,7 @@
 
 #include "match/match_samples.h"
 #include "morph/contour_pairs.h"
+#include "morph/cut_keys.h"
 #include "morph/planar_frame.h"
 #include "morph/step_blend.h"
 #include "tandem/curve/curve.h"
@@ -24,14 +25,22 @@ namespace tandem {
 inline namespace v0 {
 namespace detail {
 
-/// What becomes of a contour in a step.
+/// What becomes of a contour, or of a piece of one, in a step. Several may be pieces of the same contour.
 struct FoundContour {
   std::optional<std::size_t> a;  ///< of the first key; nothing: born
   std::optional<std::size_t> b;  ///< of the second; nothing: dies
   std::optional<Match> match;
   std::vector<double> cuts;  ///< where the first key's contour is cut; empty: nowhere, or there is none
-  ContourEnds ends;
+  ContourEnds ends;          ///< what is blended: pieces with their chords
   ContourDetour detour;
+  /// Of pieces: as they are drawn at the ends, see CutPiece::outline.
+  std::optional<CubicPath> outline_a = {};
+  std::optional<CubicPath> outline_b = {};
+
+  /// What is drawn at the ends.
+  [[nodiscard]] ContourEnds drawn() const {
+    return {outline_a ? *outline_a : ends.a, outline_b ? *outline_b : ends.b};
+  }
 };
 
 /// A key of a step.
@@ -60,6 +69,11 @@ class StepKeys {
  public:
   /// @throws InvalidArgument pins that want a contour to become two
   StepKeys(const StepKey& a, const StepKey& b, std::span<const MorphPin> pins);
+  /// The same keys in parts.
+  StepKeys(const StepKeys& whole, CutKeys cut);
+
+  /// The keys cut for these pairs, see cut_keys().
+  [[nodiscard]] std::optional<CutKeys> cut(const Turned& turned) const;
 
   /// Diagonal of the box of both keys.
   [[nodiscard]] double diagonal() const;
@@ -73,8 +87,13 @@ class StepKeys {
   struct Key {
     explicit Key(const StepKey& key);
     [[nodiscard]] std::size_t longest() const;
+    [[nodiscard]] Vec2 on_strokes(Vec2 point) const;
+
+    Key(std::vector<KeyPart> parts, const Key& whole);
 
     std::vector<CubicPath> paths;
+    std::vector<std::size_t> sources;  ///< whose piece each is, or itself
+    std::vector<std::optional<CubicPath>> outlines;
     std::vector<Curve> curves;
     std::vector<NestedContour> nesting;
     Vec2 center;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <memory>
 #include <utility>
 
 #include "morph/clearance.h"
@@ -100,7 +101,7 @@ class StepSearch {
         judge_(keys_.diagonal()) {}
 
   std::optional<FoundStep> run() {
-    if (!try_all()) return std::nullopt;
+    if (!try_all() || !try_cuts()) return std::nullopt;
     const bool may_detour = blend_ == BlendKind::automatic || blend_ == BlendKind::detour;
     if (may_detour && best_score_.faults > 0) {
       std::stable_sort(entries_.begin(), entries_.end(),
@@ -127,23 +128,46 @@ class StepSearch {
       const Rotation turn = keys_.find_turn(own);
       if (std::fabs(turn.degrees()) > kLeastTurn) turns.push_back(keys_.pair(turn, own));
     }
-    const auto all = static_cast<double>(variants.size() * turns.size());
-    for (MatchOptions& variant : variants) {
-      for (const Turned& turned : turns) {
-        // Detours may double the work.
-        const double done = 0.5 * static_cast<double>(candidates_.size()) / all;
-        if (own.progress) {
-          variant.progress = [&, done](double fraction) { return own.progress(done + 0.5 * fraction / all); };
+    for (const Turned& turned : turns) trials_.push_back({&keys_, turned});
+    variants_ = std::move(variants);
+    return try_trials(0.0, 0.4);
+  }
+
+  // One against several, cut into as many pieces. The papers' methods match what is there.
+  bool try_cuts() {
+    if (!options_.cuts || !options_.pins.empty() || options_.match.method != Method::elastic) return true;
+    std::vector<Trial> trials;
+    for (const Trial& whole : trials_) {
+      std::optional<CutKeys> cut = keys_.cut(whole.turned);
+      if (!cut) continue;
+      cut_.push_back(std::make_unique<StepKeys>(keys_, *std::move(cut)));
+      trials.push_back({cut_.back().get(), cut_.back()->pair(whole.turned.turn, options_.match)});
+    }
+    trials_ = std::move(trials);
+    return try_trials(0.4, 0.1);
+  }
+
+  // done, share: of the whole work, for the progress.
+  bool try_trials(double done, double share) {
+    const Progress& progress = options_.match.progress;
+    const double part =
+        share / static_cast<double>(variants_.size() * std::max<std::size_t>(trials_.size(), 1));
+    for (MatchOptions& variant : variants_) {
+      for (const Trial& trial : trials_) {
+        if (progress) {
+          variant.progress = [&, done](double fraction) { return progress(done + part * fraction); };
         }
-        std::optional<StepCandidate> candidate = keys_.match(turned, variant);
+        std::optional<StepCandidate> candidate = trial.keys->match(trial.turned, variant);
+        done += part;
         if (!candidate || !go_on(done)) return false;
-        if (own.coarse_to_fine) mark_inexact(*candidate);
+        if (options_.match.coarse_to_fine) mark_inexact(*candidate);
         candidates_.push_back(*std::move(candidate));
         for (const BlendKind kind : kinds_) consider(candidates_.back(), kind, candidates_.size() - 1);
       }
       // Whoever is in a hurry turns no more when the first way of matching was better without.
-      if (own.coarse_to_fine && candidates_.size() == 2 && turns.size() == 2 && best_index_ == 0) {
-        turns.pop_back();
+      if (options_.match.coarse_to_fine && candidates_.size() == 2 && trials_.size() == 2 &&
+          best_index_ == 0) {
+        trials_.pop_back();
       }
     }
     return true;
@@ -234,7 +258,16 @@ class StepSearch {
     return true;
   }
 
+  /// Keys, whole or in pieces, under a turn.
+  struct Trial {
+    const StepKeys* keys;
+    Turned turned;
+  };
+
   StepKeys keys_;
+  std::vector<std::unique_ptr<const StepKeys>> cut_;
+  std::vector<Trial> trials_;
+  std::vector<MatchOptions> variants_;
   const MorphOptions& options_;
   BlendKind blend_;
   std::vector<BlendKind> kinds_;

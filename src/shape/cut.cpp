@@ -80,6 +80,34 @@ struct Plan {
   std::vector<std::pair<std::size_t, CutPiece>> pieces;
 };
 
+// Whether more than half of the hole's joints lie in the polygon through the path's control points: a hole
+// that is clear of a chord lies on one side of it.
+bool lies_in(const CubicPath& hole, const CubicPath& path) {
+  std::size_t inside = 0;
+  for (std::size_t i = 0; i < hole.segment_count(); ++i) {
+    const Vec2 p{hole.segment(i)[0][0], hole.segment(i)[0][1]};
+    bool in = false;
+    const Points& q = path.control_points();
+    for (std::size_t k = 0; k + 1 < q.size(); ++k) {
+      const Vec2 a{q[k][0], q[k][1]};
+      const Vec2 b{q[k + 1][0], q[k + 1][1]};
+      if ((a.y <= p.y) == (b.y <= p.y)) continue;
+      if (a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x) > p.x) in = !in;
+    }
+    if (in) ++inside;
+  }
+  return 2 * inside > hole.segment_count();
+}
+
+double outline_length(const CubicPath& path) {
+  double sum = 0.0;
+  const Points& p = path.control_points();
+  for (std::size_t i = 0; i + 1 < p.size(); ++i) {
+    sum += distance({p[i][0], p[i][1]}, {p[i + 1][0], p[i + 1][1]});
+  }
+  return sum;
+}
+
 class Cutter {
  public:
   Cutter(const CubicPath& contour, std::span<const PieceTarget> targets, std::span<const CubicPath> holes,
@@ -98,7 +126,9 @@ class Cutter {
     if (std::abs(area_) <= kNothing) return {};
     Group all(targets_.size());
     std::iota(all.begin(), all.end(), std::size_t{0});
-    return divide({contour, std::vector<bool>(contour.segment_count(), false)}, all);
+    CutPiece whole{contour, std::vector<bool>(contour.segment_count(), false)};
+    if (options_.outlines) whole.outline = contour;
+    return divide(std::move(whole), all);
   }
 
  private:
@@ -117,8 +147,9 @@ class Cutter {
       const auto cut = row.begin() + static_cast<std::ptrdiff_t>(halving.count);
       const Group low(row.begin(), cut);
       const Group high(cut, row.end());
-      Plan first = divide(close_by_chord(piece, u, v), halving.front ? low : high);
-      Plan second = divide(close_by_chord(piece, v, u), halving.front ? high : low);
+      Halves halves = halved(piece, u, v);
+      Plan first = divide(std::move(halves.first), halving.front ? low : high);
+      Plan second = divide(std::move(halves.second), halving.front ? high : low);
       const double cost = chord_cost(boundary, halving.a, halving.b) + first.cost + second.cost;
       if (!(cost < best.cost)) continue;
       best.cost = cost;
@@ -126,6 +157,21 @@ class Cutter {
       std::move(second.pieces.begin(), second.pieces.end(), std::back_inserter(best.pieces));
     }
     return best;
+  }
+
+  // A chord is pushed onto the side without holes, else onto the one that has less to go round.
+  Halves halved(const CutPiece& piece, double u, double v) const {
+    Halves halves = cut_by_chord(piece, u, v);
+    if (!options_.outlines) return halves;
+    const auto holds = [&](const CutPiece& half) {
+      return std::any_of(holes_.begin(), holes_.end(),
+                         [&](const CubicPath& hole) { return lies_in(hole, half.path); });
+    };
+    const bool first = holds(halves.first);
+    const bool second = holds(halves.second);
+    if (first && second) return halves;
+    const bool shorter = outline_length(halves.first.path) < outline_length(halves.second.path);
+    return cut_and_push(piece, u, v, first == second ? shorter : second);
   }
 
   // The cheapest chords that fit, different from each other.

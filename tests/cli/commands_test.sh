@@ -90,6 +90,23 @@ expect 0 morph "${quick[@]}" "$square" "$triangle" --at -0.2,0.5 -o -
 out_has '"s": -0.2'
 expect 0 morph "${quick[@]}" "$square" "$triangle" --at=-1e-1 -o -
 out_has '"s": -0.1'
+# open contours beside closed ones
+expect 0 morph "${quick[@]}" 'M0 0H9V9H0ZM2 2V5H5V2' 'M1 0H9V9H1ZM2 2V6H5V2' --at 0.5 -o -
+err_has 'open, and drawn as strokes: contour 1 of A, contour 1 of B; --closed yes closes them'
+expect 0 morph "${quick[@]}" 'M0 0H9V9H0ZM2 2V5H5V2' 'M1 0H9V9H1ZM2 2V6H5V2' --at 0.5 -o - --closed yes
+err_empty
+out_has '"d": "M[^M]*ZM[^M]*Z"'
+expect 0 align "${quick[@]}" 'M0 0H9V9H0' 'M1 0H9V9H1' --closed yes -o -
+out_has '"a": "M[^"]*Z",'
+expect 0 morph "${quick[@]}" 'M0 0H9V9H0Z' 'M1 0H9V9H1' --at 0.5 -o -
+err_has 'contour 0 of A is closed, contour 0 of B open: the closed one is cut where that is best'
+# one against several
+play='M6 4L20 12L6 20Z' pause='M5 4H10V20H5ZM14 4H19V20H14Z'
+expect 0 morph "$play" "$pause" --at 0,1 -o -
+out_has '"contours": \[\{"a": 0, "b": [01],'
+out_has '"unmatched": \{"a": \[\], "b": \[\]\}'
+expect 0 morph "$play" "$pause" --at 0,1 -o - --no-cut
+out_has '"unmatched": \{"a": \[\], "b": \[[01]\]\}'
 expect 0 morph "${quick[@]}" 'M0 0 L4 0 L4 4' 'm 1,2 l 4,0 l 0,4' --at 0.5 -o -
 out_has '"d": "M0.5 1'
 expect 0 morph "${quick[@]}" "$square" "$triangle" -o f.json --frames 5

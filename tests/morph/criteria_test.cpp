@@ -154,7 +154,8 @@ TEST_P(Smoothness, OfExactlySmoothLoopsIsKept) {
   }
 }
 
-// Real icons are smooth to about 1e-3: there no joint is worse than it is in the worse key.
+// Real icons are smooth to about 1e-3: there no joint is worse than it is in the worse key. Nothing is cut
+// here: a chord that comes in from a smooth outline makes corners at its ends.
 TEST_P(Smoothness, OfIconsIsNoWorseThanTheWorseInput) {
   const std::vector<std::string> names = {"account", "bell", "bird",     "cat",
                                           "cog",     "leaf", "umbrella", "heart"};
@@ -164,7 +165,9 @@ TEST_P(Smoothness, OfIconsIsNoWorseThanTheWorseInput) {
   std::size_t smooth = 0;
   for (std::size_t i = 0; i < names.size(); ++i) {
     const std::vector<Shape> keys{load(names[i]), load(names[(i + 1) % names.size()])};
-    const PathMorph morph(keys, GetParam().options());
+    MorphOptions options = GetParam().options();
+    options.cuts = false;
+    const PathMorph morph(keys, options);
     const std::vector<CubicPath> first = morph.at(0.0);
     const std::vector<CubicPath> last = morph.at(1.0);
     for (const double s : {0.1, 0.3, 0.5, 0.8, 0.95}) {

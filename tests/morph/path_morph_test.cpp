@@ -307,5 +307,28 @@ TEST(PathMorph, WantsThePlane) {
   EXPECT_THROW(PathMorph{keys}, InvalidArgument);
 }
 
+// Near an end the shape is still in its place: the motion alone must not look like a jump. An intrinsic blend
+// of these two swings their ends round at six diagonals per unit of s.
+TEST(PathMorph, LeavesItsKeysGently) {
+  const auto line = [](const std::vector<Vec2>& points) {
+    PathBuilder builder;
+    builder.move_to(points.front());
+    for (std::size_t i = 1; i < points.size(); ++i) builder.line_to(points[i]);
+    return to_curve(builder.take().front());
+  };
+  const std::vector<Shape> keys{
+      one(line({{10, 16}, {10, 8}, {14, 16}, {14, 8}})),
+      one(line({{3, 18}, {12, 11.538}, {3, 6}, {3, 18}, {21, 18}, {21, 6}, {12, 11.538}}))};
+  const PathMorph made(keys, {});
+  for (const double end : {0.0, 1.0}) {
+    const double diagonal = bounding_box(keys[end == 0.0 ? 0 : 1]).diagonal();
+    const Points there = made.at(end)[0].control_points();
+    const Points beside = made.at(std::fabs(end - 2e-4))[0].control_points();
+    for (std::size_t i = 0; i < there.size(); ++i) {
+      EXPECT_LT(std::hypot(there[i][0] - beside[i][0], there[i][1] - beside[i][1]), 1e-3 * diagonal);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace tandem

@@ -10,6 +10,7 @@
 
 #include "shape/test_paths.h"
 #include "tandem/curve/arc_length.h"
+#include "tandem/curve/nearest_point.h"
 #include "tandem/error.h"
 #include "tandem/shape/intersections.h"
 #include "tandem/shape/measures.h"
@@ -219,6 +220,49 @@ TEST(Cut, KeepsTheExactOutline) {
         EXPECT_NEAR(std::hypot(p.x - q.x, p.y - q.y), 0.0, 1e-7);
       }
     }
+  }
+}
+
+// Pushed out onto the contour, one piece is all of it and the others are forth and back.
+TEST(Cut, OutlinesDrawNothingButTheContour) {
+  rc::check([] {
+    const CubicPath contour = any_star();
+    const auto count = *rc::gen::inRange<std::size_t>(2, 5);
+    const std::vector<CutPiece> pieces = cut_contour(contour, equal(count), {}, {.outlines = true});
+    RC_PRE(!pieces.empty());
+    const double area = signed_area(contour);
+    std::size_t whole = 0;
+    for (const CutPiece& piece : pieces) {
+      RC_ASSERT(piece.outline.has_value());
+      RC_ASSERT(piece.outline->segment_count() == piece.path.segment_count());
+      const double own = signed_area(*piece.outline);
+      if (std::fabs(own - area) <= 1e-9 * std::fabs(area)) {
+        ++whole;
+        RC_ASSERT(std::fabs(arc_length(to_curve(*piece.outline)) - arc_length(to_curve(contour))) <=
+                  1e-6 * 60);
+      } else {
+        RC_ASSERT(std::fabs(own) <= 1e-9 * std::fabs(area));
+      }
+      for (std::size_t i = 0; i < piece.path.segment_count(); ++i) {
+        const auto p = piece.outline->segment(i)[0];
+        RC_ASSERT(nearest_point(to_curve(contour), Point{p[0], p[1]}).distance <= 1e-7);
+      }
+    }
+    RC_ASSERT(whole == std::size_t{1});
+  });
+}
+
+TEST(Cut, ChordsArePushedAwayFromHoles) {
+  const CubicPath bar = polygon({{0, 0}, {20, 0}, {20, 6}, {0, 6}});
+  const std::vector<CubicPath> hole{square(14, 2, 2)};
+  const std::vector<CutPiece> pieces =
+      cut_contour(bar, std::vector<PieceTarget>{{1, Vec2{5, 3}}, {1, Vec2{15, 3}}}, hole, {.outlines = true});
+  ASSERT_EQ(pieces.size(), 2U);
+  EXPECT_NEAR(signed_area(*pieces[0].outline), 0.0, 1e-9);
+  EXPECT_NEAR(signed_area(*pieces[1].outline), 120.0, 1e-9);
+  const std::vector<CubicPath> two{square(14, 2, 2), square(4, 2, 2)};
+  for (const CutPiece& piece : cut_contour(bar, equal(2), two, {.outlines = true})) {
+    EXPECT_EQ(*piece.outline, piece.path);  // there is nowhere to go
   }
 }
 

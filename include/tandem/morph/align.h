@@ -30,6 +30,8 @@ struct AlignedPaths {
   /// Where the first path was cut: parameters of to_curve(a), ascending, first and last the ends (of a closed
   /// path: one lap apart).
   std::vector<double> cuts;
+  /// The same of the second path; descending where it is run through backwards.
+  std::vector<double> cuts_b;
 };
 
 /// Redraws two paths in step with their correspondence, whose parameters are those of to_curve(): the i-th

@@ -36,6 +36,10 @@ struct MorphOptions {
   std::optional<BlendKind> blend = {};
   /// PathMorph of two keys only. The contours of a pin become one another.
   std::vector<MorphPin> pins = {};
+  /// PathMorph of two keys without pins, elastic method only: whether one solid against several may be cut
+  /// into as many pieces, where the in-betweens are better for it; else, and where both pieces would have
+  /// holes, all but one grow from points.
+  bool cuts = true;
 };
 
 /// A morph through n key shapes: matching happens once, in the constructor; at(s) only blends.

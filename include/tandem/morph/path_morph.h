@@ -32,9 +32,10 @@ struct FramePose {
   friend bool operator==(const FramePose&, const FramePose&) = default;
 };
 
-/// What became of one contour on the way from a key to the next.
+/// What became of one contour on the way from a key to the next. Where a solid is cut (MorphOptions::cuts),
+/// each of its pieces is a contour of the morph: several have the same `a`, or the same `b`.
 struct ContourStep {
-  std::optional<std::size_t> a;  ///< which contour of the key it is; nothing: it is born on the way
+  std::optional<std::size_t> a;  ///< which contour of the key it is, or is a piece of; nothing: it is born
   std::optional<std::size_t> b;  ///< of the next key; nothing: it dies on the way
   std::optional<Match> match;    ///< of the two, in the parameters of to_curve() of their cubics
 };
@@ -51,7 +52,11 @@ struct MorphStep {
 /// speak. Matching happens once, in the constructor; at(s) only blends. Key i stands at s = i / (n - 1).
 ///
 /// The keys are redrawn exactly where they are polynomial of degree <= 3, within `tolerance` of their
-/// diagonal otherwise; all with the same segments.
+/// diagonal otherwise; all with the same segments. ClosedMode::yes closes their open contours by lines.
+///
+/// A key whose solid is cut into pieces is still that solid: the pieces start where one of them is all of it
+/// and the others are parts of its outline, forth and back, which draw nothing else, filled or stroked; on
+/// the way the chords come in from there.
 class TANDEM_EXPORT PathMorph {
  public:
   /// @throws InvalidArgument fewer than two keys, a key without contours, a dimension other than 2, and as

@@ -22,12 +22,19 @@ struct CutOptions {
   double length_weight = 1.0;  ///< of the length of the chords
   double share_weight = 2.0;   ///< of the differences of area to the targets, in shares of the contour
   double center_weight = 2.0;  ///< of the distances from the targets' centres, each times its share
+  bool outlines = false;       ///< whether to make CutPiece::outline
 };
 
 /// A piece of a contour: exact parts of its outline, joined by straight chords.
 struct CutPiece {
   CubicPath path;            ///< closed, wound like the contour
   std::vector<bool> chords;  ///< per segment: it is a chord (or a part of one), and not on the outline
+  /// CutOptions::outlines: the same segments, where the chords are pushed out onto the contour; a chord has
+  /// as many segments as it takes. One piece is the whole contour then, the others are parts of it, forth and
+  /// back: filled or stroked, all of them together draw the contour and nothing else. Linear in between, a
+  /// chord has both its pieces on the same curve at all times. Between two pieces with holes a chord is not
+  /// pushed: it would run over them.
+  std::optional<CubicPath> outline = {};
 };
 
 /// Cuts a contour into as many pieces as there are targets, along chords inside it; piece i is the one for
