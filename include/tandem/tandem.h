@@ -37,4 +37,6 @@
 #include "tandem/shape/path_view.h"
 #include "tandem/shape/shape.h"
 #include "tandem/shape/transform.h"
+#include "tandem/surface/edit.h"
+#include "tandem/surface/surface.h"
 #include "tandem/version.h"
