@@ -19,8 +19,8 @@ namespace {
 /// Laws are fitted ever closer to the path, by this factor, while the fit is what makes the rails invalid.
 constexpr double kFiner = 4.0;
 constexpr int kFinest = 3;
-/// Invalid length, as a share, that a fit may add where the path itself is not valid.
-constexpr double kAddedByFit = 2e-4;
+/// What counts as invalid where corners backtrack though all of the length is valid.
+constexpr double kSomewhere = 1e-12;
 /// For the path itself: a polyline as near to it as it makes sense.
 constexpr double kOnPath = 1e-6;
 
@@ -65,11 +65,11 @@ class Pairing {
   }
 
   PairedRails run() {
-    if (match_.report.cancelled) return finish({match_.reparametrization, match_.curve, {}}, {});
+    if (match_.report.cancelled) return finish({match_.reparametrization, match_.curve}, {});
     const Candidate on_path = candidate({2, kOnPath, options_.law.min_slope});
-    best_possible_ = on_path.validity;
+    defect_ = on_path.defect;
     const bool was_cut = !(match_.correspondence.domain_v == b_.domain());
-    if ((options_.always_refine || !best_possible_.valid) && !was_cut) refine(on_path);
+    if (defect_ > 0.0 && !was_cut) refine(on_path);
     return choose_law();
   }
 
@@ -77,7 +77,7 @@ class Pairing {
   struct Candidate {
     Reparametrization r;
     Curve curve;
-    Validity validity;
+    double defect = 0.0;
   };
 
   [[nodiscard]] Match first_match() const {
@@ -90,8 +90,8 @@ class Pairing {
     const Correspondence& c = match_.correspondence;
     Reparametrization r = in_own_domain(smooth_law(path_, law, c.closed, c.reversed), c.domain_v, b_.domain());
     Curve curve = compose(second_curve(b_, c, r), r.v);
-    Validity validity = check_validity(first(curve), curve, options_.validity);
-    return {std::move(r), std::move(curve), validity};
+    const double defect = options_.defect(first(curve), curve);
+    return {std::move(r), std::move(curve), defect};
   }
 
   /// The first rail, as long as the second one leaves it.
@@ -110,9 +110,8 @@ class Pairing {
       const FitPath previous = std::exchange(
           path_, refine_path(a_, second, kept, *norm, {options_.strain}));
       const Candidate after = candidate({2, kOnPath, options_.law.min_slope});
-      if (after.validity.valid_share > best_possible_.valid_share ||
-          (options_.always_refine && after.validity.valid_share == best_possible_.valid_share)) {
-        best_possible_ = after.validity;
+      if (after.defect < defect_) {
+        defect_ = after.defect;
         report_.refined = true;
       } else {
         path_ = previous;
@@ -120,20 +119,15 @@ class Pairing {
     }
   }
 
-  [[nodiscard]] bool as_good_as_path(const Validity& validity) const {
-    if (best_possible_.valid) return validity.valid;
-    return validity.valid_share >= best_possible_.valid_share - kAddedByFit;
-  }
-
-  /// A law that was tried, and how it does: higher ranks first, then more valid length.
+  /// A law that was tried, and how it does: higher ranks first, then the smaller defect.
   struct Tried {
     Candidate candidate;
     LawReport report;
-    int rank = 0;  ///< 2: good; 1: as valid as can be, but creased; 0: less valid
+    int rank = 0;  ///< 2: good; 1: as good as the path, but creased; 0: worse
 
     [[nodiscard]] bool beats(const Tried& other) const {
       if (rank != other.rank) return rank > other.rank;
-      return rank == 0 && candidate.validity.valid_share > other.candidate.validity.valid_share;
+      return rank == 0 && candidate.defect < other.candidate.defect;
     }
   };
 
@@ -143,7 +137,7 @@ class Pairing {
     tried.report.order = law.order;
     tried.report.tolerance = law.tolerance;
     tried.report.max_deviation = tried.candidate.r.max_deviation;
-    if (as_good_as_path(tried.candidate.validity)) {
+    if (tried.candidate.defect <= defect_ + (defect_ > 0.0 ? options_.slack : 0.0)) {
       const bool creased =
           options_.creases && options_.creases(tried.candidate.curve, path_.corner_parameters);
       tried.rank = creased ? 1 : 2;
@@ -178,7 +172,6 @@ class Pairing {
     if (report.refined) match_.correspondence.points = correspondence_points();
     match_.reparametrization = std::move(taken.r);
     match_.curve = std::move(taken.curve);
-    match_.report.validity = taken.validity;
     return {std::move(match_), report, std::move(corners)};
   }
 
@@ -196,11 +189,15 @@ class Pairing {
   const RailOptions& options_;
   Match match_;
   FitPath path_;
-  Validity best_possible_;
+  double defect_ = 0.0;  ///< of the path itself
   LawReport report_;
 };
 
 }  // namespace
+
+double invalidity(const Validity& validity) {
+  return validity.valid ? 0.0 : std::max(kSomewhere, 1.0 - validity.valid_share);
+}
 
 PairedRails pair_rails(const Curve& a, const Curve& b, const RailOptions& options) {
   return Pairing(a, b, options).run();

@@ -17,8 +17,8 @@ struct RefineOptions {
 /// A match pairs nodes, so its path is off by up to half their distance, and what needs exact pairing (tangents
 /// that are no more than perpendicular at one pair of points, rulings of a developable) is missed by that
 /// much. Here every node of the path, and one between each two, may slide along the second curve: a
-/// programme over kPlaces places per node, in windows that shrink, finds the least of the elastic cost and
-/// of the invalidity. Ends and corners stay.
+/// programme over a few places per node, in windows that shrink, looks for the least of elastic cost and
+/// invalidity. Ends and corners stay.
 /// second: the curve that the path's v refers to, over all of its range.
 [[nodiscard]] FitPath refine_path(const Curve& first, const Curve& second, const FitPath& path,
                                   const RailNorm& norm, const RefineOptions& options);

@@ -34,6 +34,8 @@ constexpr double kCoincident = 1e-9;
 /// The pull of strain on rulings that are to be developable, against its usual one.
 constexpr double kDevelopableStrain = 1.0 / 20.0;
 constexpr double kDevelopableTolerance = 1.0 / 16.0;
+/// Warp that a fit may add: 0.05 degrees.
+constexpr double kAddedWarp = 0.05 * std::numbers::pi / 180;
 /// Pairs of points at which curves are compared.
 constexpr int kComparisons = 64;
 
@@ -75,7 +77,10 @@ RailOptions rail_options(const RuleOptions& options, bool planar) {
   rails.match = options.match;
   rails.law = options.law;
   rails.strain = options.match.elastic.lambda;
-  rails.validity = planar ? NormKind::ruled : NormKind::tangent;
+  const NormKind test = planar ? NormKind::ruled : NormKind::tangent;
+  rails.defect = [test](const Curve& first, const Curve& second) {
+    return detail::invalidity(check_validity(first, second, test));
+  };
   rails.refinement = planar ? detail::planar_rail_norm(1.0) : detail::space_rail_norm();
   if (planar) rails.flipped = detail::planar_rail_norm(-1.0);
   if (options.norm) {
@@ -91,8 +96,12 @@ RailOptions rail_options(const RuleOptions& options, bool planar) {
     rails.strain = rails.match.elastic.lambda;
     rails.refinement = detail::developable_rail_norm(options.largest_inclination);
     rails.flipped = nullptr;
-    rails.always_refine = true;
     rails.law.tolerance *= kDevelopableTolerance;
+    rails.defect = [limit = options.largest_inclination](const Curve& first, const Curve& second) {
+      const RulingReport report = detail::measure_rulings(first, second);
+      return report.mean_warp_angle + std::max(0.0, report.inclination - limit);
+    };
+    rails.slack = kAddedWarp;
   }
   return rails;
 }
@@ -147,8 +156,10 @@ RuledSurface rule(const Curve& a, const Curve& b, const RuleOptions& options) {
   RuledReport report;
   report.planar = plane.has_value();
   report.norm = norm_name(options, report.planar, paired.match.report);
-  report.validity = paired.match.report.validity;
-  report.tangents = report.planar ? check_validity(rail_a, second) : report.validity;
+  report.tangents = check_validity(rail_a, second);
+  report.validity =
+      report.planar ? check_validity(rail_a, second, NormKind::ruled) : report.tangents;
+  paired.match.report.validity = report.validity;
   report.law = paired.law;
   report.rulings = detail::measure_rulings(rail_a, second);
   if (report.planar && !report.validity.valid) {
