@@ -26,8 +26,6 @@ using detail::SlopeRange;
 constexpr double kShortestSpan = 1.0 / 1024.0;
 /// Doubles that must lie between two corners, times the order: else the later one is no break of its own.
 constexpr double kRoomPerCoefficient = 16.0;
-/// A slope that is to be met at an end fixes two coefficients; with these spans others are left.
-constexpr std::size_t kSpansWithSlopes = 4;
 /// Slopes at the seam stay this far within the range, so that the neighbours can make up for them.
 constexpr double kInsideRange = 4.0;
 
@@ -80,13 +78,7 @@ class PieceFit {
       : data_(std::move(data)), piece_(piece), options_(options), degree_(options.order - 1), ends_(ends) {}
 
   [[nodiscard]] Spline run() {
-    const std::size_t spans = ends_.first || ends_.last ? kSpansWithSlopes : 1;
-    std::vector<double> breaks;
-    for (std::size_t i = 0; i < spans; ++i) {
-      const double share = static_cast<double>(i) / static_cast<double>(spans);
-      breaks.push_back(piece_.x0 + share * (piece_.x1 - piece_.x0));
-    }
-    breaks.push_back(piece_.x1);
+    std::vector<double> breaks = first_breaks();
     Spline best;
     while (true) {
       Spline next = fit(std::move(breaks));
@@ -99,6 +91,16 @@ class PieceFit {
   }
 
  private:
+  /// A single span; or, where a slope is to be met at an end, four, so that coefficients are left to fit, and
+  /// those at the ends so short that the slope takes no more than a quarter of the rise.
+  [[nodiscard]] std::vector<double> first_breaks() const {
+    if (!ends_.first && !ends_.last) return {piece_.x0, piece_.x1};
+    const double slope = std::max(ends_.first.value_or(0.0), ends_.last.value_or(0.0));
+    const double quarter = 0.25 * (piece_.x1 - piece_.x0);
+    const double end = std::min(quarter, 0.25 * (piece_.y1 - piece_.y0) / slope);
+    return {piece_.x0, piece_.x0 + end, piece_.x0 + 2.0 * quarter, piece_.x1 - end, piece_.x1};
+  }
+
   [[nodiscard]] Spline fit(std::vector<double> breaks) const {
     const SlopeRange range{options_.min_slope, 1.0 / options_.min_slope};
     detail::ScalarFit fitted = detail::fit_scalar_spline(
@@ -168,12 +170,6 @@ double seam_slope(const Data& data, const std::vector<Piece>& pieces, const LawO
   return std::clamp(v.derivatives(0.0, 1)[1][0], least, 1.0 / least);
 }
 
-/// Can a piece rise as it must with this slope at one end or both, over its first or last span?
-bool fits(const Piece& piece, double slope) {
-  const double reach = (piece.x1 - piece.x0) / static_cast<double>(kSpansWithSlopes);
-  return 2.0 * slope * reach < piece.y1 - piece.y0;
-}
-
 std::vector<Piece> pieces_between(const std::vector<ParameterPair>& corners, const Frame& frame) {
   std::vector<Piece> pieces;
   for (std::size_t i = 0; i + 1 < corners.size(); ++i) {
@@ -227,10 +223,7 @@ Reparametrization fit_pieces(const FitPath& path, const LawOptions& options, boo
   const std::vector<Piece> pieces = pieces_between(points, frame);
 
   std::optional<double> slope;
-  if (loop && !seam_is_corner(path)) {
-    slope = seam_slope(data, pieces, options);
-    if (!fits(pieces.front(), *slope) || !fits(pieces.back(), *slope)) slope.reset();
-  }
+  if (loop && !seam_is_corner(path)) slope = seam_slope(data, pieces, options);
   Joined law(frame, options.order);
   for (std::size_t i = 0; i < pieces.size(); ++i) {
     EndSlopes ends;
