@@ -39,6 +39,7 @@
 #include "tandem/shape/transform.h"
 #include "tandem/surface/developable.h"
 #include "tandem/surface/edit.h"
+#include "tandem/surface/hermite_surface.h"
 #include "tandem/surface/law.h"
 #include "tandem/surface/ruled.h"
 #include "tandem/surface/surface.h"

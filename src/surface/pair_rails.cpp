@@ -139,7 +139,8 @@ class Pairing {
     tried.report.max_deviation = tried.candidate.r.max_deviation;
     if (tried.candidate.defect <= defect_ + (defect_ > 0.0 ? options_.slack : 0.0)) {
       const bool creased =
-          options_.creases && options_.creases(tried.candidate.curve, path_.corner_parameters);
+          options_.creases && options_.creases({match_.correspondence, tried.candidate.r,
+                                                tried.candidate.curve, path_.corner_parameters});
       tried.rank = creased ? 1 : 2;
     }
     return tried;

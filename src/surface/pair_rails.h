@@ -13,6 +13,14 @@ namespace tandem {
 inline namespace v0 {
 namespace detail {
 
+/// A second rail in step, as it is being tried.
+struct RailInStep {
+  const Correspondence& correspondence;
+  const Reparametrization& law;
+  const Curve& curve;               ///< composed
+  std::span<const double> corners;  ///< u at which either rail has a corner
+};
+
 /// What a surface between two rails wants of their pairing.
 struct RailOptions {
   MatchOptions match;  ///< its reduction means nothing
@@ -24,8 +32,8 @@ struct RailOptions {
   RailNorm refinement;
   RailNorm flipped;
   double strain = 0.02;        ///< of the refinement
-  /// Does this second curve in step crease the surface more than it may? Corners of the rails do not count.
-  std::function<bool(const Curve& second, std::span<const double> corners)> creases;
+  /// Does this law crease the surface more than it may? Corners of the rails do not count.
+  std::function<bool(const RailInStep&)> creases;
 };
 
 /// Rails in step. `match.curve` is the second one composed with the law.

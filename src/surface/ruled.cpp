@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "match/second_curve.h"
-#include "match/vector.h"
+#include "surface/check_rails.h"
 #include "surface/measure_rulings.h"
 #include "surface/pair_rails.h"
 #include "surface/plane.h"
@@ -28,29 +28,14 @@ using detail::PairedRails;
 using detail::Plane;
 using detail::RailOptions;
 
-/// Curves that are no further apart than this, as a share of their size, coincide: the tolerance within which
-/// ends of closed curves meet.
-constexpr double kCoincident = 1e-9;
 /// The pull of strain on rulings that are to be developable, against its usual one.
 constexpr double kDevelopableStrain = 1.0 / 20.0;
 constexpr double kDevelopableTolerance = 1.0 / 16.0;
 /// Warp that a fit may add: 0.05 degrees.
 constexpr double kAddedWarp = 0.05 * std::numbers::pi / 180;
-/// Pairs of points at which curves are compared.
-constexpr int kComparisons = 64;
 
 void check(const Curve& a, const Curve& b, const RuleOptions& options) {
-  if (a.dim() != b.dim()) {
-    throw InvalidArgument(fmt::format(
-        "the curves have different dimensions: the first has {}, the second {}", a.dim(), b.dim()));
-  }
-  if (a.dim() < 2) throw InvalidArgument("the curves lie on a line (dimension 1): no surface between them");
-  if (a.is_closed() != b.is_closed() && options.match.closed != ClosedMode::no) {
-    throw InvalidArgument(
-        fmt::format("the first curve is {}, the second {}: a ruled surface needs two open or two closed "
-                    "curves, or the closed one taken as open where its seam lies (ClosedMode::no)",
-                    a.is_closed() ? "closed" : "open", b.is_closed() ? "closed" : "open"));
-  }
+  detail::check_rails(a, b, options.match.closed, "a ruled surface");
   if (!(options.largest_crease >= 0.0)) throw InvalidArgument("the largest crease must be an angle >= 0");
   if (!(options.largest_inclination > 0.0 && options.largest_inclination <= 0.5 * std::numbers::pi)) {
     throw InvalidArgument(fmt::format("the largest inclination is {} rad, expected one in (0, pi/2]",
@@ -118,15 +103,6 @@ Surface between(const Curve& first, const Curve& second) {
   return Surface::of_rows(rails, 1, {0.0, 0.0, 1.0, 1.0});
 }
 
-void refuse_coincident(const Curve& a, const Curve& b) {
-  const Interval domain = a.domain();
-  for (int i = 0; i <= kComparisons; ++i) {
-    const double u = domain.lo + domain.length() * i / kComparisons;
-    if (detail::distance(a.evaluate(u), b.evaluate(u)) > kCoincident * std::max(a.extent(), b.extent())) return;
-  }
-  throw InvalidArgument("the two curves coincide: no surface between them");
-}
-
 /// The match, of curves in their plane, with the curves themselves.
 Match in_space(Match match, const Curve& b) {
   const Correspondence& c = match.correspondence;
@@ -145,14 +121,14 @@ RuledSurface rule(const Curve& a, const Curve& b, const RuleOptions& options) {
 
   RailOptions rails = rail_options(options, plane.has_value());
   if (!plane && a.dim() == 3) {
-    rails.creases = [&](const Curve& second, std::span<const double> corners) {
-      return detail::find_crease(between(rail_a, second), corners).angle > options.largest_crease;
+    rails.creases = [&](const detail::RailInStep& tried) {
+      return detail::find_crease(between(rail_a, tried.curve), tried.corners).angle > options.largest_crease;
     };
   }
   PairedRails paired = detail::pair_rails(rail_a, rail_b, rails);
 
   const Curve second = paired.match.curve;
-  refuse_coincident(rail_a, second);
+  detail::refuse_coincident(rail_a, second);
   RuledReport report;
   report.planar = plane.has_value();
   report.norm = norm_name(options, report.planar, paired.match.report);
