@@ -63,15 +63,15 @@ struct Certificate {
   std::optional<Witness> witness;
 };
 
-/// Certifies the ruled surface (1 - v) a(u) + v b(u) over the domain of both curves, u as given. Planar if the
-/// curves are: in R^2, or in R^3 with one coordinate that is the same number for all control points. In R^3
-/// otherwise; `regular` is then all that is asked. Curves that are both closed (the ends within 1e-9 of the
-/// size) make a closed surface, and what is certified holds when the seam is closed exactly, too.
-/// @throws InvalidArgument the dimensions differ, or are not 2 or 3, or the domains differ
+/// Certifies the planar ruled surface (1 - v) a(u) + v b(u), v in [0,1], over the domain of both curves, whose
+/// degrees, knots and weights may differ. Planar: in R^2, or in R^3 with one coordinate that is the same
+/// number for all control points. Curves that are both closed (their ends within 1e-9 of the size) make a
+/// closed surface; what is certified then holds when the seam is closed exactly, too.
+/// @throws InvalidArgument the dimensions or the domains differ, or the curves are not planar
 [[nodiscard]] TANDEM_EXPORT Certificate certify(const Curve& a, const Curve& b);
 
-/// Certifies a surface in R^2 or R^3, planar as above. A rational surface whose degree along v is 1 is taken
-/// as the ruled surface of its two edges, which differs in the parameter v only.
+/// Certifies a surface in R^2 or R^3, planar and closed (along either parameter) as above. In space `regular`
+/// is all that is asked.
 /// @throws InvalidArgument the dimension is not 2 or 3
 [[nodiscard]] TANDEM_EXPORT Certificate certify(const Surface& surface);
 
