@@ -83,8 +83,7 @@ std::pair<BernsteinGrid, BernsteinGrid> halves(const BernsteinGrid& f, std::size
 }
 
 BernsteinGrid without_zero_at_edge(const BernsteinGrid& f, std::size_t along, bool at_end) {
-  BernsteinGrid result =
-      grid(along == 0 ? f.rows - 1 : f.rows, along == 0 ? f.columns : f.columns - 1);
+  BernsteinGrid result = grid(along == 0 ? f.rows - 1 : f.rows, along == 0 ? f.columns : f.columns - 1);
   for (std::size_t k = 0; k < (along == 0 ? f.columns : f.rows); ++k) {
     const Enclosures whole = line(f, along, k);
     set_line(result, along, k, at_end ? without_zero_at_1(whole) : without_zero_at_0(whole));

@@ -10,8 +10,8 @@ namespace tandem {
 inline namespace v0 {
 namespace detail {
 
-/// A polynomial in (s, t) on [0,1]^2 by enclosures of its Bernstein coefficients: it lies between the smallest
-/// and the largest, and those at the corners are its values there.
+/// A polynomial in (s, t) on [0,1]^2 by enclosures of its Bernstein coefficients: it lies between the
+/// smallest and the largest, and those at the corners are its values there.
 struct BernsteinGrid {
   std::size_t rows = 0;     ///< degree in s, plus 1
   std::size_t columns = 0;  ///< degree in t, plus 1

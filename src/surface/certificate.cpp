@@ -16,6 +16,7 @@
 #include "surface/regular_in_space.h"
 #include "tandem/error.h"
 #include "tandem/surface/edit.h"
+#include "tandem/surface/simple_mesh.h"
 
 namespace tandem {
 inline namespace v0 {
@@ -130,6 +131,17 @@ Findings examine_planar(const Surface& surface) {
   return findings;
 }
 
+SurfacePlace middle_of(const TriangleMesh& mesh, const std::array<std::uint32_t, 3>& triangle) {
+  SurfacePlace result{0.0, 0.0, Point(3), 0.0};
+  for (const std::uint32_t corner : triangle) {
+    for (std::size_t c = 0; c < 3; ++c) result.point[c] += mesh.vertices[corner][c] / 3.0;
+    if (corner >= mesh.parameters.size()) continue;
+    result.u += mesh.parameters[corner][0] / 3.0;
+    result.v += mesh.parameters[corner][1] / 3.0;
+  }
+  return result;
+}
+
 }  // namespace
 
 Certificate certify(const Curve& a, const Curve& b) {
@@ -169,6 +181,20 @@ Certificate certify(const Surface& surface) {
   const auto derivatives = [&](double u, double v) { return surface.derivatives(u, v, 1); };
   return certificate(plane ? examine_planar(in_plane(surface, *plane)) : detail::examine_in_space(surface),
                      derivatives, plane);
+}
+
+Certificate certify(const Surface& surface, const TriangleMesh& tessellation) {
+  Certificate result = certify(surface);
+  if (result.one_to_one) return result;
+  const SimpleMesh simple = find_simple(tessellation);
+  result.tessellation_simple = simple.verdict;
+  if (simple.verdict == Verdict::violated && !result.witness) {
+    result.witness = Witness{WitnessKind::triangles, {}, simple.triangles};
+    for (const std::size_t t : simple.triangles)
+      result.witness->places.push_back(middle_of(tessellation, tessellation.triangles[t]));
+  }
+  result.verdict = overall(result);
+  return result;
 }
 
 }  // namespace v0

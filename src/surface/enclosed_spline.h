@@ -27,8 +27,8 @@ struct Frame {
 /// The frame in which all these points are about 1 in size.
 [[nodiscard]] Frame frame_of(std::span<const Points* const> clouds);
 
-/// The control points in a frame, `dim` numbers each and, if `rational`, multiplied by their weights (none: 1),
-/// which follow as the last number, scaled by a power of two to at most 1 or so. Exact or enclosed.
+/// The control points in a frame, `dim` numbers each and, if `rational`, multiplied by their weights (none:
+/// 1), which follow as the last number, scaled by a power of two to at most 1 or so. Exact or enclosed.
 [[nodiscard]] Enclosures homogeneous(const Points& points, const std::vector<double>& weights, bool rational,
                                      const Frame& frame);
 

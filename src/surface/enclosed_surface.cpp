@@ -47,10 +47,10 @@ bool is_closed_exactly(const Surface& surface) {
 EnclosedSpline lines_along_u(const Surface& surface) {
   const std::array<const Points*, 1> cloud = {&surface.control_points()};
   const std::size_t group = static_cast<std::size_t>(surface.dim()) + (surface.is_rational() ? 1 : 0);
-  EnclosedSpline result(surface.degree(Along::u), surface.knots(Along::u),
-                        homogeneous(surface.control_points(), surface.weights(), surface.is_rational(),
-                                    frame_of(cloud)),
-                        surface.size(Along::v) * group);
+  EnclosedSpline result(
+      surface.degree(Along::u), surface.knots(Along::u),
+      homogeneous(surface.control_points(), surface.weights(), surface.is_rational(), frame_of(cloud)),
+      surface.size(Along::v) * group);
   if (surface.dim() == 2 && surface.is_closed(Along::u) && !is_closed_exactly(surface))
     result.weld(static_cast<std::size_t>(surface.dim()), surface.is_rational());
   return result;
@@ -104,8 +104,8 @@ std::vector<BernsteinGrid> EnclosedSurface::patch(const Cell& cell, bool by_u, b
   return result;
 }
 
-// Polynomial: S_u x S_v. Rational, S = X / W: W X_u x X_v + W_v X x X_u - W_u X x X_v, which is W^3 times that
-// (the terms with X x X drop out); in the plane its third coordinate, the determinant |X X_u X_v| of the
+// Polynomial: S_u x S_v. Rational, S = X / W: W X_u x X_v + W_v X x X_u - W_u X x X_v, which is W^3 times
+// that (the terms with X x X drop out); in the plane its third coordinate, the determinant |X X_u X_v| of the
 // homogeneous points.
 std::vector<BernsteinGrid> EnclosedSurface::normal(const Cell& cell) const {
   const std::vector<BernsteinGrid> by_u = patch(cell, true, false);
@@ -123,7 +123,8 @@ std::vector<BernsteinGrid> EnclosedSurface::normal(const Cell& cell) const {
   }
   for (const std::size_t along : {0U, 1U}) {
     for (const bool at_end : {false, true}) {
-      const bool there = at_end ? cell[along].hi == breaks_[along].back() : cell[along].lo == breaks_[along][0];
+      const bool there =
+          at_end ? cell[along].hi == breaks_[along].back() : cell[along].lo == breaks_[along][0];
       if (!is_pole(along, at_end) || !there) continue;
       for (BernsteinGrid& n : result) n = without_zero_at_edge(n, along, at_end);
     }
@@ -144,7 +145,8 @@ EnclosedSpline EnclosedSurface::edge(std::size_t along, bool at_end) const {
                           group_);
   }
   return along_u_.mapped([&](const Enclosures& line) {
-    const Enclosures points = EnclosedSpline(degree_[1], knots_[1], line, group_).bezier(outermost(breaks_[1]));
+    const Enclosures points =
+        EnclosedSpline(degree_[1], knots_[1], line, group_).bezier(outermost(breaks_[1]));
     const auto group = static_cast<std::ptrdiff_t>(group_);
     return at_end ? Enclosures(points.end() - group, points.end())
                   : Enclosures(points.begin(), points.begin() + group);

@@ -18,8 +18,8 @@ using Cell = std::array<Interval, 2>;
 /// A surface with enclosed coefficients, in the plane or in space, and what its regularity depends on.
 class EnclosedSurface {
  public:
-  /// Rational ones carry their weights; one that is closed along u is closed exactly (EnclosedSpline::weld) if
-  /// it is planar.
+  /// Rational ones carry their weights; one that is closed along u is closed exactly (EnclosedSpline::weld)
+  /// if it is planar.
   explicit EnclosedSurface(const Surface& surface);
 
   [[nodiscard]] std::size_t dim() const noexcept { return dim_; }

@@ -37,14 +37,14 @@ struct Findings {
   ///
   /// Why a regular map with a simple boundary is one-to-one. Let the Jacobian be positive inside. Away from
   /// the image of the boundary, a point is met as often as the boundary winds about it (every place counts
-  /// +1): once inside a simple closed curve and never outside, so no point is met twice. A place inside cannot
-  /// lie on the curve, since its neighbourhood would reach outside. For a closed surface, a ring, both curves
-  /// are simple and disjoint. They are nested: two disks beside each other would both be covered, and nothing
-  /// between them. They run the same way round: otherwise the inner disk would be covered twice, by two disks,
-  /// and the space between once, and the Euler characteristic of the ring would be 2 rather than 0. What is
-  /// left is that the space between is covered once. Creases do no harm as long as the Jacobian is positive on
-  /// both sides, nor do zeros on the boundary. Conversely, a map whose Jacobian takes both signs is not
-  /// one-to-one (an injective map of a plane region has one local degree).
+  /// +1): once inside a simple closed curve and never outside, so no point is met twice. A place inside
+  /// cannot lie on the curve, since its neighbourhood would reach outside. For a closed surface, a ring, both
+  /// curves are simple and disjoint. They are nested: two disks beside each other would both be covered, and
+  /// nothing between them. They run the same way round: otherwise the inner disk would be covered twice, by
+  /// two disks, and the space between once, and the Euler characteristic of the ring would be 2 rather than
+  /// 0. What is left is that the space between is covered once. Creases do no harm as long as the Jacobian is
+  /// positive on both sides, nor do zeros on the boundary. Conversely, a map whose Jacobian takes both signs
+  /// is not one-to-one (an injective map of a plane region has one local degree).
   void boundary(const SimpleBoundary& found, bool sign_is_known) {
     one_to_one = Verdict::undecided;
     if (found.verdict == Verdict::certified && sign_is_known) one_to_one = Verdict::certified;

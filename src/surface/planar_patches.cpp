@@ -124,9 +124,9 @@ Findings examine_planar_patches(const Surface& surface) {
   constexpr int kDepthOfWitnesses = 4;  // a wider search makes better witnesses
   const EnclosedSurface enclosed(surface);
   SignScan scan(enclosed);
-  const bool all_decided =
-      search_cells(enclosed, [&](const CellPiece& piece) { return scan.decide(piece); },
-                   [&](int depth) { return depth > kDepthOfWitnesses && scan.has_both_signs(); });
+  const bool all_decided = search_cells(
+      enclosed, [&](const CellPiece& piece) { return scan.decide(piece); },
+      [&](int depth) { return depth > kDepthOfWitnesses && scan.has_both_signs(); });
   Findings result = scan.conclude(all_decided);
   if (result.witness == WitnessKind::sign_change) return result;
   const std::vector<BoundaryLoop> loops = boundary_of(enclosed, surface);

@@ -18,8 +18,7 @@ using Vector3 = std::array<double, 3>;
 Vector3 coefficient(const CellPiece& piece, std::size_t k) noexcept {
   Vector3 result{};
   for (std::size_t c = 0; c < 3; ++c) result[c] = piece.normal[c].coefficients[k].middle();
-  const double length =
-      std::sqrt(result[0] * result[0] + result[1] * result[1] + result[2] * result[2]);
+  const double length = std::sqrt(result[0] * result[0] + result[1] * result[1] + result[2] * result[2]);
   if (!(length > 0.0 && std::isfinite(length))) return {};
   for (double& x : result) x /= length;
   return result;
@@ -33,8 +32,8 @@ void add(Vector3& sum, const Vector3& term) noexcept {
   for (std::size_t c = 0; c < 3; ++c) sum[c] += term[c];
 }
 
-// A direction that all coefficients point along, if a few corrections of their mean find one (the perceptron's
-// rule); a guess, to be proved.
+// A direction that all coefficients point along, if a few corrections of their mean find one (the
+// perceptron's rule); a guess, to be proved.
 std::optional<Vector3> common_direction(const CellPiece& piece) {
   constexpr int kCorrections = 8;  // cells where more are needed are better halved
   const std::size_t count = piece.normal.front().coefficients.size();
@@ -45,9 +44,8 @@ std::optional<Vector3> common_direction(const CellPiece& piece) {
     add(n, directions[k]);
   }
   for (int i = 0; i < kCorrections; ++i) {
-    const auto worst = std::min_element(directions.begin(), directions.end(), [&](const auto& a, const auto& b) {
-      return dot(n, a) < dot(n, b);
-    });
+    const auto worst = std::min_element(directions.begin(), directions.end(),
+                                        [&](const auto& a, const auto& b) { return dot(n, a) < dot(n, b); });
     if (dot(n, *worst) > 0.0) return n;
     for (double& x : n) x *= 0.5;
     add(n, *worst);
@@ -87,8 +85,7 @@ Findings examine_in_space(const Surface& surface) {
     const auto n = common_direction(piece);
     return n && is_regular(piece, *n);
   };
-  const bool all_decided =
-      search_cells(enclosed, decide, [&](int) { return zero.has_value(); });
+  const bool all_decided = search_cells(enclosed, decide, [&](int) { return zero.has_value(); });
   Findings result;
   if (zero) {
     result.zero(*zero);

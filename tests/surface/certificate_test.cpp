@@ -61,9 +61,8 @@ TEST(Certificate, IsNeverWrongAndSeldomSilentOnRandomPairs) {
           << "pair " << i << " kind " << static_cast<int>(certificate.witness->kind);
       if (!samples.free()) ++violated;
     }
-    if (std::getenv("CERT_LOG") != nullptr &&
-        (certificate.verdict == Verdict::undecided ||
-         (certificate.verdict == Verdict::certified) != samples.free()))
+    if (std::getenv("CERT_LOG") != nullptr && (certificate.verdict == Verdict::undecided ||
+                                               (certificate.verdict == Verdict::certified) != samples.free()))
       printf("pair %d: verdict %d regular %d one %d; samples sign %d crosses %d closed %d\n", i,
              (int)certificate.verdict, (int)certificate.regular, (int)*certificate.one_to_one,
              samples.sign_changes, samples.boundary_crosses, pair.a.is_closed());
