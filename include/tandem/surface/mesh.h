@@ -21,5 +21,24 @@ struct TriangleMesh {
   friend bool operator==(const TriangleMesh&, const TriangleMesh&) = default;
 };
 
+/// The directed edges (from, to) of triangles that have no partner: an edge is matched when it is run through
+/// as often backwards as forwards.
+[[nodiscard]] TANDEM_EXPORT std::vector<std::array<std::uint32_t, 2>> boundary_edges(
+    const TriangleMesh& mesh);
+
+/// Every edge has two triangles, which run through it in opposite directions: a closed, consistently oriented
+/// surface. Vertices count by their index, not by their place. False without triangles.
+[[nodiscard]] TANDEM_EXPORT bool is_watertight(const TriangleMesh& mesh);
+
+/// Sum of the areas of the triangles.
+[[nodiscard]] TANDEM_EXPORT double area(const TriangleMesh& mesh);
+
+/// Enclosed volume of a watertight mesh, positive when its normals point outwards.
+[[nodiscard]] TANDEM_EXPORT double volume(const TriangleMesh& mesh);
+
+/// The normal of a triangle by its vertices, unit; zero when it has no area.
+[[nodiscard]] TANDEM_EXPORT std::array<double, 3> facet_normal(const TriangleMesh& mesh,
+                                                               const std::array<std::uint32_t, 3>& triangle);
+
 }  // namespace v0
 }  // namespace tandem
