@@ -50,8 +50,9 @@ struct SimpleBoundary {
 
 /// Whether the loops are simple closed curves, disjoint from each other. Proof: an arc whose control polygon
 /// runs forward in some direction is injective, and two such arcs that are consecutive have only their joint
-/// in common; other arcs are disjoint if a line separates their control polygons. Arcs are halved until one or
-/// the other is so. Disproof: two short arcs that cross like a road and a river (see cross() in boundary.cpp).
+/// in common; other arcs are disjoint if a line separates their control polygons. Arcs are halved until one
+/// or the other is so. Disproof: two short arcs that cross like a road and a river (see cross() in
+/// boundary.cpp).
 [[nodiscard]] SimpleBoundary find_simple(const std::vector<BoundaryLoop>& loops);
 
 }  // namespace detail

@@ -17,8 +17,8 @@ namespace detail {
 /// and known to some digits less than double has.
 ///
 /// Proof: like a road and a river. If f(p) = p n for some direction n is smaller at the start of arc X than
-/// anywhere on arc Y and larger at its end, and g(p) = p m is so for Y and X, then X(s) = Y(t) for some s and t
-/// (Poincare-Miranda on f(X(s)) - f(Y(t)) and g(X(s)) - g(Y(t))).
+/// anywhere on arc Y and larger at its end, and g(p) = p m is so for Y and X, then X(s) = Y(t) for some s and
+/// t (Poincare-Miranda on f(X(s)) - f(Y(t)) and g(X(s)) - g(Y(t))).
 [[nodiscard]] std::optional<std::array<BoundaryPlace, 2>> prove_crossing(const BoundaryArc& a,
                                                                          const BoundaryArc& b);
 

@@ -37,8 +37,8 @@ struct Mix {
   }
 };
 
-// Bezier coefficients over `part` from the degree + 1 coefficients d of a span that starts at *knot, in place.
-// First `part.lo` is inserted until it has full multiplicity, then `part.hi`: blossoms f(lo.., hi..).
+// Bezier coefficients over `part` from the degree + 1 coefficients d of a span that starts at *knot, in
+// place. First `part.lo` is inserted until it has full multiplicity, then `part.hi`: blossoms f(lo.., hi..).
 void to_bezier(const double* knot, int degree, Interval part, std::size_t stride, Enclosures& d) {
   const auto at = [&](int i) { return d.data() + static_cast<std::size_t>(i) * stride; };
   // After stage r, d_i = f(lo^r, knots i - p + r + 1 .. i); those right of what the last stage needs are
@@ -51,8 +51,7 @@ void to_bezier(const double* knot, int degree, Interval part, std::size_t stride
   }
   d.swap(kept);
   for (int r = 1; r <= degree; ++r) {
-    for (int m = degree; m >= r; --m)
-      Mix(part.lo, part.hi, knot[m - r + 1]).apply(at(m - 1), at(m), stride);
+    for (int m = degree; m >= r; --m) Mix(part.lo, part.hi, knot[m - r + 1]).apply(at(m - 1), at(m), stride);
   }
 }
 
@@ -165,8 +164,8 @@ void EnclosedSpline::weld(std::size_t dim, bool rational) {
   gap_ = std::move(gap);
 }
 
-// The last coefficient of a piece and the last of its hodograph (which is a difference of the piece's) move by
-// the same.
+// The last coefficient of a piece and the last of its hodograph (which is a difference of the piece's) move
+// by the same.
 void EnclosedSpline::widen_end(Interval part, Enclosures& coefficients) const {
   if (gap_.empty() || part.hi < domain().hi) return;
   Enclosure* end = coefficients.data() + coefficients.size() - stride_;

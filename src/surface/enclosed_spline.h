@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "surface/enclosure.h"
@@ -26,8 +27,8 @@ struct Frame {
 /// The frame in which all these points are about 1 in size.
 [[nodiscard]] Frame frame_of(std::span<const Points* const> clouds);
 
-/// The control points in a frame, `dim` numbers each and, if `rational`, multiplied by their weights (none: 1),
-/// which follow as the last number, scaled by a power of two to at most 1 or so. Exact or enclosed.
+/// The control points in a frame, `dim` numbers each and, if `rational`, multiplied by their weights (none:
+/// 1), which follow as the last number, scaled by a power of two to at most 1 or so. Exact or enclosed.
 [[nodiscard]] Enclosures homogeneous(const Points& points, const std::vector<double>& weights, bool rational,
                                      const Frame& frame);
 
@@ -60,6 +61,21 @@ class EnclosedSpline {
   /// one and the one whose last point is moved to where the first is. Coefficients are groups of dim numbers
   /// and, if rational, their weight.
   void weld(std::size_t dim, bool rational);
+
+  /// The spline whose coefficients are map(coefficient), where map, from Enclosures to Enclosures, is linear.
+  template <class Map>
+  [[nodiscard]] EnclosedSpline mapped(Map map) const {
+    Enclosures all;
+    for (std::size_t i = 0; i < size(); ++i) {
+      const auto first = coefficients_.begin() + static_cast<std::ptrdiff_t>(i * stride_);
+      const Enclosures one = map(Enclosures(first, first + static_cast<std::ptrdiff_t>(stride_)));
+      all.insert(all.end(), one.begin(), one.end());
+    }
+    const std::size_t stride = all.size() / size();
+    EnclosedSpline result(degree_, knots_, std::move(all), stride);
+    if (!gap_.empty()) result.gap_ = map(gap_);
+    return result;
+  }
 
  private:
   [[nodiscard]] std::size_t span_of(Interval part) const;

@@ -12,10 +12,10 @@ namespace detail {
 /// any reals out of them, in exact arithmetic: every operation rounds its ends outwards.
 ///
 /// How, without touching the rounding mode of the machine: a rounded result differs from the exact one by at
-/// most half a unit in the last place, and down() and up() move it by a whole one or more. A sum is left alone
-/// where its rounding error, which TwoSum gives exactly, is zero or points inwards; so differences of nearby
-/// numbers, halves, and everything multiplied by an exact zero stay exact. Beyond the range of double the ends
-/// become infinite or NaN, and of NaN nothing is proved: no comparison with it is true.
+/// most half a unit in the last place, and down() and up() move it by a whole one or more. A sum is left
+/// alone where its rounding error, which TwoSum gives exactly, is zero or points inwards; so differences of
+/// nearby numbers, halves, and everything multiplied by an exact zero stay exact. Beyond the range of double
+/// the ends become infinite or NaN, and of NaN nothing is proved: no comparison with it is true.
 struct Enclosure {
   double lo = 0.0;
   double hi = 0.0;

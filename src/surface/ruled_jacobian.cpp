@@ -14,7 +14,7 @@ inline namespace v0 {
 namespace detail {
 namespace {
 
-// Halvings of one span, one below the other: the piece is then 1e-12 of the span, its coefficients differ by
+// Halvings of one span, one after the other: pieces are then 1e-12 of the span, their coefficients differ by
 // as little, and what they do not decide is due to rounding.
 constexpr int kLargestDepth = 40;
 // Pieces in all, for surfaces whose Jacobian is nearly zero along a whole stretch.
@@ -81,34 +81,76 @@ class SignScan {
  public:
   explicit SignScan(const Rails& rails) : rails_(rails) {}
 
+  // Level by level: where the sign changes, wider pieces tell so before narrow ones are asked.
   JacobianSign run() {
-    std::vector<double> breaks;
-    const std::vector<double> of_a = rails_.a.breaks();
-    const std::vector<double> of_b = rails_.b.breaks();
-    std::set_union(of_a.begin(), of_a.end(), of_b.begin(), of_b.end(), std::back_inserter(breaks));
-    for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
-      const Interval part{breaks[i], breaks[i + 1]};
-      const std::array<Enclosures, 2> j = jacobians(rails_, part);
-      for (int rail = 0; rail < 2; ++rail) scan(j[static_cast<std::size_t>(rail)], part, rail, 0);
+    std::vector<Piece> level = whole_spans();
+    for (int depth = 0; !level.empty() && !has_both_signs(depth); ++depth) {
+      std::vector<Piece> next;
+      for (const Piece& piece : level) {
+        if (decides(piece)) continue;
+        if (depth == kLargestDepth || !piece.can_split() || ++pieces_ > kMostPieces) {
+          undecided_ = true;
+          continue;
+        }
+        auto [left, right] = halves(piece.j);
+        const double middle = 0.5 * piece.part.lo + 0.5 * piece.part.hi;
+        next.push_back({std::move(left), {piece.part.lo, middle}, piece.rail, piece.span});
+        next.push_back({std::move(right), {middle, piece.part.hi}, piece.rail, piece.span});
+      }
+      level = std::move(next);
     }
     return conclude();
   }
 
  private:
+  struct Piece {
+    Enclosures j;
+    Interval part;
+    int rail = 0;
+    double span = 0.0;  // length of the span of which it is a part
+
+    // The places are doubles, and rounded; a piece shorter than a few of them has no place of its own.
+    [[nodiscard]] bool can_split() const noexcept {
+      const double middle = 0.5 * part.lo + 0.5 * part.hi;
+      return part.lo < middle && middle < part.hi;
+    }
+  };
+
   struct Best {
     RailPlace place;
     double size = 0.0;
     double share = 0.0;  // of the domain of both rails, with that sign
   };
 
-  void note(int sign, const Enclosure& value, Interval part, int rail) {
+  [[nodiscard]] std::vector<Piece> whole_spans() const {
+    std::vector<double> breaks;
+    const std::vector<double> of_a = rails_.a.breaks();
+    const std::vector<double> of_b = rails_.b.breaks();
+    std::set_union(of_a.begin(), of_a.end(), of_b.begin(), of_b.end(), std::back_inserter(breaks));
+    std::vector<Piece> result;
+    for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
+      const Interval part{breaks[i], breaks[i + 1]};
+      std::array<Enclosures, 2> j = jacobians(rails_, part);
+      for (const int rail : {0, 1})
+        result.push_back({std::move(j[static_cast<std::size_t>(rail)]), part, rail, part.length()});
+    }
+    return result;
+  }
+
+  // Both signs are known: not at the first levels, so that witnesses are good ones.
+  [[nodiscard]] bool has_both_signs(int depth) const noexcept {
+    constexpr int kDepthOfWitnesses = 6;
+    return depth > kDepthOfWitnesses && best_[0].size > 0.0 && best_[1].size > 0.0;
+  }
+
+  void note(int sign, const Piece& piece) {
     Best& best = best_[sign > 0 ? 0 : 1];
-    best.share += part.length();
-    // The pieces' own parameters are as long as they are.
-    const double size = std::abs(value.middle()) / part.length();
+    best.share += piece.part.length();
+    // The derivative was taken by the span's own parameter.
+    const double size = std::abs(piece.j[piece.j.size() / 2].middle()) / piece.span;
     if (best.size > 0.0 && !(size > best.size)) return;
     best.size = std::max(size, std::numeric_limits<double>::min());
-    best.place = {0.5 * part.lo + 0.5 * part.hi, rail};
+    best.place = {0.5 * piece.part.lo + 0.5 * piece.part.hi, piece.rail};
   }
 
   void note_zeros(const Enclosures& j, Interval part, int rail) {
@@ -121,29 +163,17 @@ class SignScan {
     if (j.back().is_zero()) note_zero(part.hi);
   }
 
-  void scan(const Enclosures& j, Interval part, int rail, int depth) {
-    if (const int sign = common_sign(j); sign != 0) {
-      note(sign, j[j.size() / 2], part, rail);
-      note_zeros(j, part, rail);
-      return;
+  bool decides(const Piece& piece) {
+    if (const int sign = common_sign(piece.j); sign != 0) {
+      note(sign, piece);
+      note_zeros(piece.j, piece.part, piece.rail);
+      return true;
     }
-    if (std::all_of(j.begin(), j.end(), [](const Enclosure& c) { return c.is_zero(); })) {
-      if (!zero_) zero_ = RailPlace{0.5 * part.lo + 0.5 * part.hi, rail};
-      flat_ = true;
-      return;
-    }
-    // The places are doubles, and rounded; a piece shorter than a few of them has no place of its own.
-    const double middle = 0.5 * part.lo + 0.5 * part.hi;
-    const bool too_short = !(part.lo < middle && middle < part.hi);
-    const bool decided = best_[0].size > 0.0 && best_[1].size > 0.0 && depth > kDepthOfWitnesses;
-    if (decided) return;
-    if (depth == kLargestDepth || too_short || ++pieces_ > kMostPieces) {
-      undecided_ = true;
-      return;
-    }
-    const auto [left, right] = halves(j);
-    scan(left, {part.lo, middle}, rail, depth + 1);
-    scan(right, {middle, part.hi}, rail, depth + 1);
+    if (!std::all_of(piece.j.begin(), piece.j.end(), [](const Enclosure& c) { return c.is_zero(); }))
+      return false;
+    if (!zero_) zero_ = RailPlace{0.5 * piece.part.lo + 0.5 * piece.part.hi, piece.rail};
+    flat_ = true;
+    return true;
   }
 
   // Places are told by doubles, which the dyadic parts of a span are only nearly: the sign is proved anew, at
@@ -184,9 +214,6 @@ class SignScan {
       return std::find(zeros_[1].begin(), zeros_[1].end(), u) != zeros_[1].end();
     });
   }
-
-  // Once both signs are known, pieces this small are no longer asked which they have.
-  static constexpr int kDepthOfWitnesses = 6;
 
   const Rails& rails_;
   std::array<Best, 2> best_;  // positive, negative

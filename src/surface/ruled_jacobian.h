@@ -17,9 +17,9 @@ namespace detail {
 struct Rails {
   EnclosedSpline a;
   EnclosedSpline b;
-  bool rational = false;               ///< both with weights, as the third number
-  std::array<bool, 2> pole{};          ///< the rails start, end, in the same point: exactly
-  bool closed = false;                 ///< both are closed
+  bool rational = false;       ///< both with weights, as the third number
+  std::array<bool, 2> pole{};  ///< the rails start, end, in the same point: exactly
+  bool closed = false;         ///< both are closed
 };
 
 /// a and b in R^2.
@@ -37,10 +37,10 @@ struct JacobianSign {
   /// +1 or -1: proved for all rulings but the ends, and on them all but points of the rails; that is enough
   /// for a map to be one-to-one where its boundary is simple. 0: not proved.
   int sign = 0;
-  std::optional<RailPlace> positive;    ///< both when the sign changes; the rarer one is `rarer`
+  std::optional<RailPlace> positive;  ///< both when the sign changes; the rarer one is `rarer`
   std::optional<RailPlace> negative;
-  int rarer = 0;                        ///< +1 or -1
-  std::optional<RailPlace> zero;        ///< where the Jacobian is zero on a rail
+  int rarer = 0;                  ///< +1 or -1
+  std::optional<RailPlace> zero;  ///< where the Jacobian is zero on a rail
 };
 
 /// The Jacobian is (1 - v) J_0(u) + v J_1(u), J_0 = a' x d, J_1 = b' x d, d = b - a: its sign is constant if

@@ -7,8 +7,9 @@
 #include <vector>
 
 #include "planar_pairs.h"
-#include "tandem/curve/edit.h"
+#include "tandem/curve/compatible.h"
 #include "tandem/error.h"
+#include "tandem/surface/edit.h"
 
 namespace tandem {
 namespace {
@@ -60,9 +61,8 @@ TEST(Certificate, IsNeverWrongAndSeldomSilentOnRandomPairs) {
           << "pair " << i << " kind " << static_cast<int>(certificate.witness->kind);
       if (!samples.free()) ++violated;
     }
-    if (std::getenv("CERT_LOG") != nullptr &&
-        (certificate.verdict == Verdict::undecided ||
-         (certificate.verdict == Verdict::certified) != samples.free()))
+    if (std::getenv("CERT_LOG") != nullptr && (certificate.verdict == Verdict::undecided ||
+                                               (certificate.verdict == Verdict::certified) != samples.free()))
       printf("pair %d: verdict %d regular %d one %d; samples sign %d crosses %d closed %d\n", i,
              (int)certificate.verdict, (int)certificate.regular, (int)*certificate.one_to_one,
              samples.sign_changes, samples.boundary_crosses, pair.a.is_closed());
@@ -73,6 +73,38 @@ TEST(Certificate, IsNeverWrongAndSeldomSilentOnRandomPairs) {
   EXPECT_GT(bad, 400);
   EXPECT_GE(certified, 0.95 * free);
   EXPECT_GE(violated, 0.90 * bad);
+}
+
+// A surface over the same curves, the general way and in space.
+Surface ruled(const CurvePair& pair) {
+  const std::vector<Curve> rows = with_common_denominator(std::vector<Curve>{pair.a, pair.b});
+  return Surface::of_rows(rows, 1, {0, 0, 1, 1});
+}
+
+TEST(Certificate, OfASurfaceIsThatOfItsRails) {
+  PlanarPairs pairs(8);
+  int certified = 0;
+  for (int i = 0; i < 100; ++i) {
+    const CurvePair pair = pairs.next();
+    const Certificate of_pair = certify(pair.a, pair.b);
+    const Surface surface = ruled(pair);
+    const Certificate of_rows = certify(surface);
+    EXPECT_EQ(of_rows.verdict, of_pair.verdict) << i;
+    // Degree 2 along v: no longer the case of ruled surfaces.
+    const Surface higher = elevate_degree(surface, Along::v);
+    const Certificate of_patches = certify(higher);
+    EXPECT_EQ(of_patches.verdict, of_pair.verdict) << i;
+    EXPECT_EQ(of_patches.regular, of_pair.regular) << i;
+    EXPECT_EQ(of_patches.one_to_one, of_pair.one_to_one) << i;
+    const Certificate across = certify(transpose(higher));
+    EXPECT_EQ(across.verdict, of_pair.verdict) << i;
+    if (of_patches.witness && of_patches.witness->kind == WitnessKind::sign_change) {
+      EXPECT_TRUE(is_true(*of_patches.witness, pair)) << i;
+    }
+    if (of_pair.verdict == Verdict::certified) ++certified;
+  }
+  EXPECT_GT(certified, 20);
+  EXPECT_LT(certified, 90);
 }
 
 }  // namespace

@@ -40,7 +40,8 @@ struct SurfacePlace {
 
 struct Witness {
   WitnessKind kind = WitnessKind::zero;
-  /// One place for `zero`, else two; of a sign change, first the one whose sign is rarer.
+  /// One place for `zero`, else two; of a sign change, first the one whose sign is rarer. Of `triangles` the
+  /// middles, with their parameters as far as the mesh has any.
   std::vector<SurfacePlace> places;
   /// For `triangles`: which ones.
   std::array<std::size_t, 2> triangles{};
@@ -50,12 +51,12 @@ struct Witness {
 struct Certificate {
   /// Certified if all that follow are, violated if one is.
   Verdict verdict = Verdict::undecided;
-  /// The Jacobian S_u x S_v is nowhere zero: in the plane it keeps its sign, so that the surface nowhere folds
-  /// over. From both sides where the surface has a crease. An edge that is one point (common end points of two
-  /// rails, a pole) counts as that point and is left out.
+  /// The Jacobian S_u x S_v is nowhere zero: in the plane it keeps its sign, so that the surface nowhere
+  /// folds over. From both sides where the surface has a crease. An edge that is one point (common end points
+  /// of two rails, a pole) counts as that point and is left out.
   Verdict regular = Verdict::undecided;
-  /// Planar surfaces only: no point is met twice, but for those of an edge that is one point, and those of the
-  /// seam of a closed surface.
+  /// Planar surfaces only: no point is met twice, but for those of an edge that is one point, and those of
+  /// the seam of a closed surface.
   std::optional<Verdict> one_to_one;
   /// Others, where a tessellation was given: no two of its triangles meet but in common corners and edges.
   std::optional<Verdict> tessellation_simple;
@@ -63,20 +64,20 @@ struct Certificate {
   std::optional<Witness> witness;
 };
 
-/// Certifies the ruled surface (1 - v) a(u) + v b(u) over the domain of both curves, u as given. Planar if the
-/// curves are: in R^2, or in R^3 with one coordinate that is the same number for all control points. In R^3
-/// otherwise; `regular` is then all that is asked. Curves that are both closed (the ends within 1e-9 of the
-/// size) make a closed surface, and what is certified holds when the seam is closed exactly, too.
-/// @throws InvalidArgument the dimensions differ, or are not 2 or 3, or the domains differ
+/// Certifies the planar ruled surface (1 - v) a(u) + v b(u), v in [0,1], over the domain of both curves,
+/// whose degrees, knots and weights may differ. Planar: in R^2, or in R^3 with one coordinate that is the
+/// same number for all control points. Curves that are both closed (their ends within 1e-9 of the size) make
+/// a closed surface; what is certified then holds when the seam is closed exactly, too.
+/// @throws InvalidArgument the dimensions or the domains differ, or the curves are not planar
 [[nodiscard]] TANDEM_EXPORT Certificate certify(const Curve& a, const Curve& b);
 
-/// Certifies a surface in R^2 or R^3, planar as above. A rational surface whose degree along v is 1 is taken
-/// as the ruled surface of its two edges, which differs in the parameter v only.
+/// Certifies a surface in R^2 or R^3, planar and closed (along either parameter) as above. In space `regular`
+/// is all that is asked.
 /// @throws InvalidArgument the dimension is not 2 or 3
 [[nodiscard]] TANDEM_EXPORT Certificate certify(const Surface& surface);
 
-/// And its tessellation, where the surface is not planar.
-/// @throws InvalidArgument as above, and as triangles_cross
+/// And its tessellation, where the surface is not planar (simple_mesh.h).
+/// @throws InvalidArgument as above, and as find_simple() of a mesh
 [[nodiscard]] TANDEM_EXPORT Certificate certify(const Surface& surface, const TriangleMesh& tessellation);
 
 }  // namespace v0
