@@ -16,48 +16,12 @@ namespace detail {
 namespace {
 
 /// Places per section at which costs are summed: some four per node of a match.
-constexpr std::size_t kPlaces = 512;
+constexpr int kPlaces = 512;
 /// Places per section at which the interpolation is checked.
-constexpr std::size_t kProbes = 64;
+constexpr int kProbes = 64;
 
-double at_place(const Interval& domain, std::size_t i, std::size_t places) {
-  return domain.lo + (static_cast<double>(i) + 0.5) / static_cast<double>(places) * domain.length();
-}
-
-/// Unit tangents, and shares of the length, at kPlaces places of a section.
-struct Places {
-  Points tangents;
-  std::vector<double> lengths;
-};
-
-Places look_at(const Curve& section) {
-  const auto dim = static_cast<std::size_t>(section.dim());
-  const Evaluator evaluator(section);
-  Places places{Points(section.dim(), kPlaces), std::vector<double>(kPlaces)};
-  std::vector<double> rows(2 * dim);
-  double length = 0.0;
-  for (std::size_t i = 0; i < kPlaces; ++i) {
-    evaluator.derivatives(at_place(section.domain(), i, kPlaces), 1, Side::right, rows);
-    const std::span<const double> d(rows.data() + dim, dim);
-    const double speed = scaled_norm(d);
-    for (std::size_t c = 0; c < dim && speed > 0.0; ++c) places.tangents[i][c] = d[c] / speed;
-    places.lengths[i] = speed;
-    length += speed / static_cast<double>(kPlaces);
-  }
-  for (double& x : places.lengths) x /= length * static_cast<double>(kPlaces);
-  return places;
-}
-
-double cost_between(const Places& a, const Places& b, double lambda) {
-  double cost = 0.0;
-  for (std::size_t i = 0; i < kPlaces; ++i) {
-    double dot = 0.0;
-    for (std::size_t c = 0; c < a.tangents[i].size(); ++c) dot += a.tangents[i][c] * b.tangents[i][c];
-    const double sum = a.lengths[i] + b.lengths[i];
-    const double difference = a.lengths[i] - b.lengths[i];
-    if (sum > 0.0) cost += (1.0 - dot) * 0.5 * sum + lambda * difference * difference / sum;
-  }
-  return cost;
+double at_place(const Interval& domain, int i, int places) {
+  return domain.lo + (i + 0.5) / places * domain.length();
 }
 
 double angle_between(std::span<const double> a, std::span<const double> b) {
@@ -85,14 +49,36 @@ double turn_at(const Curve& section, double u, bool seam) {
 
 }  // namespace
 
-std::vector<double> pair_costs(std::span<const Curve> sections, double lambda, bool ring) {
-  std::vector<Places> places;
-  for (const Curve& section : sections) places.push_back(look_at(section));
-  std::vector<double> costs;
-  for (std::size_t k = 0; k + (ring ? 0 : 1) < places.size(); ++k) {
-    costs.push_back(cost_between(places[k], places[(k + 1) % places.size()], lambda));
+SectionLook look_at(const Curve& section) {
+  const auto dim = static_cast<std::size_t>(section.dim());
+  const Evaluator evaluator(section);
+  SectionLook look{Points(section.dim(), kPlaces), std::vector<double>(kPlaces)};
+  std::vector<double> rows(2 * dim);
+  double mean = 0.0;
+  for (std::size_t i = 0; i < kPlaces; ++i) {
+    evaluator.derivatives(at_place(section.domain(), static_cast<int>(i), kPlaces), 1, Side::right, rows);
+    const std::span<const double> d(rows.data() + dim, dim);
+    const double speed = scaled_norm(d);
+    for (std::size_t c = 0; c < dim && speed > 0.0; ++c) look.tangents[i][c] = d[c] / speed;
+    look.speeds[i] = speed;
+    mean += speed / kPlaces;
   }
-  return costs;
+  for (double& x : look.speeds) x /= mean;
+  return look;
+}
+
+PairCost cost_between(const SectionLook& a, const SectionLook& b, double lambda) {
+  PairCost sum;
+  for (std::size_t i = 0; i < kPlaces; ++i) {
+    const double speeds = a.speeds[i] + b.speeds[i];
+    if (!(speeds > 0.0)) continue;
+    double dot = 0.0;
+    for (std::size_t c = 0; c < a.tangents[i].size(); ++c) dot += a.tangents[i][c] * b.tangents[i][c];
+    const double difference = a.speeds[i] - b.speeds[i];
+    sum.cost += ((1.0 - dot) * 0.5 * speeds + lambda * difference * difference / speeds) / kPlaces;
+    if (!(dot > 0.0)) sum.invalid += 0.5 * speeds / kPlaces;
+  }
+  return sum;
 }
 
 double crease_angle(const Surface& surface, std::span<const Curve> sections,
@@ -131,7 +117,7 @@ double interpolation_error(const Surface& surface, std::span<const Curve> sectio
   double worst = 0.0;
   for (std::size_t j = 0; j < sections.size(); ++j) {
     const Evaluator section(sections[j]);
-    for (std::size_t i = 0; i < kProbes; ++i) {
+    for (int i = 0; i < kProbes; ++i) {
       const double u = at_place(sections[j].domain(), i, kProbes);
       section.point(u, point);
       evaluator.point(u, parameters[j], gap);

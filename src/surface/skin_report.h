@@ -11,8 +11,20 @@ namespace tandem {
 inline namespace v0 {
 namespace detail {
 
-/// The elastic cost of each section in step against the next, of a ring the last against the first, too.
-[[nodiscard]] std::vector<double> pair_costs(std::span<const Curve> sections, double lambda, bool ring);
+/// What one section in step costs against another.
+struct PairCost {
+  double cost = 0.0;     ///< elastic, see SkinPair::cost
+  double invalid = 0.0;  ///< share of the mean length on which <T1,T2> <= 0
+};
+
+/// Unit tangents, and speeds relative to the mean speed, at places spread evenly over a section's parameter.
+struct SectionLook {
+  Points tangents;
+  std::vector<double> speeds;
+};
+
+[[nodiscard]] SectionLook look_at(const Curve& section);
+[[nodiscard]] PairCost cost_between(const SectionLook& a, const SectionLook& b, double lambda);
 
 /// See SkinReport::crease_angle. sections: in step, they tell where the shape itself has corners.
 [[nodiscard]] double crease_angle(const Surface& surface, std::span<const Curve> sections,
