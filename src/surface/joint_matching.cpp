@@ -108,7 +108,7 @@ std::vector<SectionPath> match_between(const Curve& section, const SectionPath& 
   const Path found = cyclic ? closed_path(table) : open_path(table);
   if (found.nodes.empty() || found.cancelled) return {};
   SectionPath better{
-      path_parameters(nodes, own, found.nodes, path.correspondence.reversed, cyclic, true).correspondence, {}};
+      path_parameters(nodes, own, found.nodes, path.correspondence.reversed, cyclic, true).correspondence, {}, {}};
   for (const double v : corners) better.corners.push_back(better.correspondence.u_at(v));
   return {std::move(better)};
 }

@@ -8,6 +8,7 @@
 
 #include "curve/check_spline.h"
 #include "curve/norm.h"
+#include "surface/check_loft.h"
 #include "surface/loft_rows.h"
 #include "tandem/curve/compatible.h"
 #include "tandem/curve/edit.h"
@@ -17,8 +18,7 @@ namespace tandem {
 inline namespace v0 {
 namespace {
 
-// What STEP, IGES and the kernels that read them take.
-constexpr int kHighestDegree = 25;
+using detail::kHighestDegree;
 // Neighbours nearer than this share of the size of all are one section: their distance would be rounding, and
 // its ratio to the other distances is how unevenly the surface would be spaced.
 constexpr double kCoincident = 1e-9;
@@ -133,47 +133,6 @@ std::vector<double> parameters_of(const std::vector<double>& steps, bool closed)
   return v;
 }
 
-void check_sections(std::span<const Curve> sections, const LoftOptions& options) {
-  const std::size_t least = options.closed ? 3 : 2;
-  if (sections.size() < least) {
-    throw InvalidArgument(fmt::format("{} section{}, expected at least {}{}", sections.size(),
-                                      sections.size() == 1 ? "" : "s", least,
-                                      options.closed ? " for a closed loft" : ""));
-  }
-  const Curve& first = sections.front();
-  for (std::size_t j = 0; j < sections.size(); ++j) {
-    if (sections[j].dim() != first.dim()) {
-      throw InvalidArgument(fmt::format("section {} has dimension {}, section 0 has {}; expected the same", j,
-                                        sections[j].dim(), first.dim()));
-    }
-    if (sections[j].is_closed() != first.is_closed()) {
-      throw InvalidArgument(fmt::format("section {} is {}, section 0 is {}; expected all open or all closed", j,
-                                        sections[j].is_closed() ? "closed" : "open",
-                                        first.is_closed() ? "closed" : "open"));
-    }
-  }
-}
-
-void check_options(std::size_t sections, int degree, const LoftOptions& options) {
-  if (options.degree < 1 || options.degree > kHighestDegree) {
-    throw InvalidArgument(fmt::format("the degree across the sections is {}, expected 1 .. {}",
-                                      options.degree, kHighestDegree));
-  }
-  if (options.closed && (options.rows || options.tolerance)) {
-    throw InvalidArgument("a closed loft interpolates: expected neither rows nor a tolerance");
-  }
-  if (options.rows && options.tolerance) {
-    throw InvalidArgument("both rows and a tolerance are given, expected one of them");
-  }
-  if (options.rows && (*options.rows <= degree || static_cast<std::size_t>(*options.rows) > sections)) {
-    throw InvalidArgument(fmt::format("{} rows for {} sections and degree {}, expected {} .. {}",
-                                      *options.rows, sections, degree, degree + 1, sections));
-  }
-  if (options.tolerance && !(*options.tolerance > 0.0)) {
-    throw InvalidArgument(fmt::format("the tolerance is {}, expected > 0", *options.tolerance));
-  }
-}
-
 double diagonal_of_all(std::span<const Curve> sections) {
   double largest = 0.0;
   Points all(sections.front().dim(), 0);
@@ -215,9 +174,7 @@ Curve within_tolerance(const Lines& lines, const Points& rows, std::span<const d
 }  // namespace
 
 Loft loft(std::span<const Curve> sections, const LoftOptions& options) {
-  check_sections(sections, options);
-  const int degree = std::min(options.degree, static_cast<int>(sections.size()) - 1);
-  check_options(sections.size(), degree, options);
+  const int degree = detail::check_loft(sections, options);
   const Lines lines = in_one_space(sections);
   std::vector<double> v = parameters_of(steps(lines.sections, options), options.closed);
   const Points rows = to_rows(lines);

@@ -17,7 +17,7 @@ namespace detail {
 namespace {
 
 std::vector<ParameterPair> pins_between(const SkinOptions& options, std::size_t section) {
-  std::vector<ParameterPair> pins = options.match.pins;
+  std::vector<ParameterPair> pins;
   for (const std::vector<double>& pin : options.pins) pins.push_back({pin[section], pin[section + 1]});
   return pins;
 }
@@ -26,7 +26,7 @@ std::vector<ParameterPair> pins_between(const SkinOptions& options, std::size_t 
 
 SectionPath identity_path(const Curve& first) {
   const Interval u = first.domain();
-  return {{{{u.lo, u.lo}, {u.hi, u.hi}}, u, u, first.is_closed(), false}, {}};
+  return {{{{u.lo, u.lo}, {u.hi, u.hi}}, u, u, first.is_closed(), false}, {}, {}};
 }
 
 SectionPath follow(const SectionPath& before, const Match& match) {
@@ -41,7 +41,7 @@ SectionPath follow(const SectionPath& before, const Match& match) {
   for (const ParameterPair& point : pair.points) path.points.push_back({first.u_at(point.u), point.v});
   if (first.reversed) std::reverse(path.points.begin(), path.points.end());
 
-  SectionPath result{std::move(path), {}};
+  SectionPath result{std::move(path), {}, before.pins};
   // Samples count along the section as it was matched.
   const Samples& nodes = match.samples_b;
   for (std::size_t i = 0; i < nodes.size(); ++i) {
@@ -54,9 +54,15 @@ SectionPath follow(const SectionPath& before, const Match& match) {
 
 std::vector<SectionPath> match_in_sequence(std::span<const Curve> sections, const SkinOptions& options) {
   std::vector<SectionPath> paths{identity_path(sections.front())};
+  for (const std::vector<double>& pin : options.pins) paths.front().pins.push_back(pin.front());
   for (std::size_t k = 0; k + 1 < sections.size(); ++k) {
     MatchOptions pair = options.match;
     pair.pins = pins_between(options, k);
+    if (options.match.progress) {
+      pair.progress = [&options, k, pairs = sections.size() - 1](double fraction) {
+        return options.match.progress((static_cast<double>(k) + fraction) / static_cast<double>(pairs));
+      };
+    }
     // The matched curve is thrown away: a law of few pieces is quickly made.
     if (!pair.reduction) pair.reduction = ReductionOptions{.tolerance = 0.05};
     try {
@@ -72,7 +78,7 @@ std::vector<SectionPath> match_in_sequence(std::span<const Curve> sections, cons
 
 SectionInStep put_in_step(const Curve& section, const SectionPath& path, double tolerance) {
   const Correspondence& c = path.correspondence;
-  Reparametrization law = smooth_law(fit_path(c, path.corners), {tolerance, c.closed}, c.reversed);
+  Reparametrization law = smooth_law(fit_path(c, path.corners), {tolerance, c.closed, path.pins}, c.reversed);
   Curve curve = c.reversed ? reverse(section) : section;
   if (c.closed) curve = move_seam(curve, law.v.control_points().front()[0]);
   return {compose(curve, law.v), std::move(law)};

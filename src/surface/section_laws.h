@@ -18,6 +18,7 @@ namespace detail {
 struct SectionPath {
   Correspondence correspondence;
   std::vector<double> corners;  ///< u at which the section has a corner of its own
+  std::vector<double> pins;     ///< u of the pins
 };
 
 /// The first section against itself.

@@ -6,9 +6,12 @@
 #include <cmath>
 #include <utility>
 
+#include "surface/check_loft.h"
 #include "surface/joint_matching.h"
 #include "surface/section_laws.h"
 #include "surface/skin_report.h"
+#include "tandem/curve/edit.h"
+#include "tandem/curve/nearest_point.h"
 #include "tandem/error.h"
 
 namespace tandem {
@@ -19,8 +22,31 @@ using detail::PairCost;
 using detail::SectionInStep;
 using detail::SectionPath;
 
+// Sections nearer than this share of their size, at kPlaces places, are one.
+constexpr double kCoincident = 1e-9;
+constexpr int kPlaces = 24;
 // Where a ring is slow to settle, later sweeps gain little.
 constexpr int kMostSweeps = 8;
+
+/// Does every point of a, of some dozens, lie on b?
+bool lies_on(const Curve& a, const Curve& b) {
+  for (int i = 0; i <= kPlaces; ++i) {
+    const Point p = a.evaluate(a.domain().lo + a.domain().length() * i / kPlaces);
+    if (nearest_point(b, p).distance > kCoincident * b.extent()) return false;
+  }
+  return true;
+}
+
+/// Matched, one curve drawn twice would be no further apart than its laws are off: it is looked for before.
+void check_distinct(std::span<const Curve> sections, bool ring) {
+  for (std::size_t k = 0; k + (ring ? 0 : 1) < sections.size(); ++k) {
+    const std::size_t next = (k + 1) % sections.size();
+    const Curve& a = sections[k];
+    const Curve& b = sections[next];
+    if (next == k || a.dim() != b.dim() || !lies_on(a, b) || !lies_on(b, a)) continue;
+    throw InvalidArgument(fmt::format("sections {} and {} coincide, expected distinct neighbours", k, next));
+  }
+}
 
 void check(std::span<const Curve> sections, const SkinOptions& options) {
   for (std::size_t k = 0; k < options.pins.size(); ++k) {
@@ -28,6 +54,7 @@ void check(std::span<const Curve> sections, const SkinOptions& options) {
     throw InvalidArgument(fmt::format("pin {} has {} parameters for {} sections, expected one each", k,
                                       options.pins[k].size(), sections.size()));
   }
+  if (sections.size() > 1) check_distinct(sections, options.loft.closed);
   if (!(options.law_tolerance > 0.0)) {
     throw InvalidArgument(fmt::format("the laws' tolerance is {}, expected > 0", options.law_tolerance));
   }
@@ -155,14 +182,34 @@ SkinReport report_on(const Chain& chain, const Loft& made, const SkinOptions& op
   return report;
 }
 
+SkinnedSurface cancelled_skin(std::span<const Curve> given, const SkinOptions& options) {
+  std::vector<Curve> sections;
+  for (const Curve& section : given) sections.push_back(with_domain(section, given.front().domain()));
+  Loft made = loft(sections, options.loft);
+  SkinReport report;
+  report.cancelled = true;
+  std::vector<Reparametrization> laws;
+  for (const Curve& section : given) {
+    const Interval u = given.front().domain();
+    const Interval v = section.domain();
+    laws.push_back({Curve::bezier(Points(1, {v.lo, v.hi}), {}, u), 0.0, false});
+  }
+  return {std::move(made.surface), std::move(made.parameters), std::move(sections), std::move(laws),
+          std::move(report)};
+}
+
 }  // namespace
 
 SkinnedSurface skin(std::span<const Curve> sections, const SkinOptions& options) {
   check(sections, options);
-  Chain chain(sections, detail::match_in_sequence(sections, options), options);
+  detail::check_loft(sections, options.loft);
+  std::vector<SectionPath> paths = detail::match_in_sequence(sections, options);
+  if (paths.empty()) return cancelled_skin(sections, options);
+  Chain chain(sections, std::move(paths), options);
   const double sequence_cost = chain.total().cost;
   int sweeps = 0;
-  if (options.matching == SkinMatching::joint && options.pins.empty()) {
+  const SkinMatching by_default = chain.ring() ? SkinMatching::joint : SkinMatching::sequence;
+  if (options.matching.value_or(by_default) == SkinMatching::joint && options.pins.empty()) {
     if (chain.ring()) spread_left_over(chain, sections, options);
     sweeps = sweep(chain);
   }

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "tandem/curve/edit.h"
+#include "tandem/curve/knots.h"
 
 namespace tandem {
 inline namespace v0 {
@@ -18,6 +19,10 @@ constexpr std::size_t kFirstSpans = 4;
 constexpr double kShortestSpan = 1.0 / 1024.0;
 /// Share of uniform speed that is mixed into a path: the least slope that a match allows by default.
 constexpr double kUniformShare = 1e-3;
+/// Pins are met within this share of v's range, a little above rounding; some rounds do where pins lie apart,
+/// and where they share coefficients it takes many.
+constexpr double kMetWithin = 1e-14;
+constexpr int kMostRounds = 200;
 
 /// v of a path as a function of u, at places where it steps its middle.
 class PathValues {
@@ -135,7 +140,7 @@ std::vector<double> deviations(const Curve& law, const Breaks& breaks, const Pat
   return worst;
 }
 
-/// Halves the spans that miss the path, and their neighbours' too long ones would spoil a short span's fit.
+/// Halves the spans that miss the path.
 bool halve(Breaks& breaks, const std::vector<double>& worst, double tolerance, double shortest) {
   Breaks finer;
   bool halved = false;
@@ -156,9 +161,61 @@ bool halve(Breaks& breaks, const std::vector<double>& worst, double tolerance, d
   return halved;
 }
 
-}  // namespace
+/// Shifts coefficients so that the law meets the path at the pins: each moves the three that matter there,
+/// until none has to move any more. False when that cannot be, or not increasingly.
+bool meet_pins(Curve& law, const PathValues& values, const std::vector<double>& pins, bool smooth_seam) {
+  Points coefficients = law.control_points();
+  const std::size_t n = coefficients.size();
+  // Across a smooth seam the last two are the first two again.
+  const std::size_t turn = smooth_seam ? n - kDegree : n;
+  const double wanted = kMetWithin * values.length_v();
+  bool met = false;
+  for (int round = 0; !met && round < kMostRounds; ++round) {
+    met = true;
+    for (const double u : pins) {
+      const double gap = values(u) - law.evaluate(u)[0];
+      if (std::abs(gap) <= wanted) continue;
+      met = false;
+      const std::size_t first = find_span(law.knots(), kDegree, u) - kDegree;
+      for (std::size_t i = first; i <= first + kDegree; ++i) {
+        for (std::size_t k = i % turn; k < n; k += turn) coefficients[k][0] += gap;
+      }
+      law = Curve(kDegree, law.knots(), coefficients);
+    }
+  }
+  for (std::size_t i = 1; i < n; ++i) met = met && coefficients[i - 1][0] < coefficients[i][0];
+  return met;
+}
 
-Reparametrization smooth_law(const FitPath& path, const SmoothLawOptions& options, bool reversed) {
+/// Halves the spans with pins, and those beside them: shorter ones need less of a shift.
+bool halve_at(Breaks& breaks, const std::vector<double>& pins, double shortest) {
+  std::vector<double> worst(breaks.values.size() - 1, 0.0);
+  for (std::size_t i = 0; i < worst.size(); ++i) {
+    const double from = breaks.values[i == 0 ? 0 : i - 1];
+    const double to = breaks.values[std::min(i + 2, worst.size())];
+    for (const double u : pins) worst[i] = from <= u && u <= to ? 1.0 : worst[i];
+  }
+  return halve(breaks, worst, 0.5, shortest);
+}
+
+/// A pin's place within the period.
+double in_turn(double u, const PathValues& values, bool closed) {
+  return closed ? u - std::floor((u - values.lo()) / values.length_u()) * values.length_u() : u;
+}
+
+Reparametrization fit_law(const FitPath& path, const SmoothLawOptions& options, bool reversed);
+
+Reparametrization with_pins_as_corners(FitPath path, SmoothLawOptions options,
+                                       const std::vector<double>& pins, bool reversed) {
+  path.corner_parameters.insert(path.corner_parameters.end(), pins.begin(), pins.end());
+  std::vector<double>& corners = path.corner_parameters;
+  std::sort(corners.begin(), corners.end());
+  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+  options.pins.clear();
+  return fit_law(path, options, reversed);
+}
+
+Reparametrization fit_law(const FitPath& path, const SmoothLawOptions& options, bool reversed) {
   const PathValues values(path, options.closed);
   const bool smooth_seam = options.closed && !corner_at_seam(path, values);
   Breaks breaks = first_breaks(path, values);
@@ -168,7 +225,24 @@ Reparametrization smooth_law(const FitPath& path, const SmoothLawOptions& option
     law = spline_over(breaks, values, smooth_seam);
     worst = deviations(law, breaks, values);
   }
+  if (!options.pins.empty()) {
+    std::vector<double> pins;
+    for (const double u : options.pins) pins.push_back(in_turn(u, values, options.closed));
+    while (!meet_pins(law, values, pins, smooth_seam)) {
+      if (!halve_at(breaks, pins, kShortestSpan * values.length_u())) {
+        return with_pins_as_corners(path, options, pins, reversed);
+      }
+      law = spline_over(breaks, values, smooth_seam);
+    }
+    worst = deviations(law, breaks, values);
+  }
   return {clamp(law), *std::max_element(worst.begin(), worst.end()), reversed};
+}
+
+}  // namespace
+
+Reparametrization smooth_law(const FitPath& path, const SmoothLawOptions& options, bool reversed) {
+  return fit_law(path, options, reversed);
 }
 
 }  // namespace detail

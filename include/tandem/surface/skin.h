@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -24,9 +25,11 @@ enum class SkinMatching {
 struct SkinOptions {
   /// How neighbours are matched. `reduction` and `pins` are not used: see below.
   MatchOptions match = {};
-  SkinMatching matching = SkinMatching::joint;
+  /// Empty: jointly where the loft is closed, else in sequence, which is some ten times as fast.
+  std::optional<SkinMatching> matching = {};
   LoftOptions loft = {};
-  /// One parameter per section each: points of all sections that belong together.
+  /// One parameter per section each: points of all sections that belong together. They are met exactly, and
+  /// the sections are matched in sequence.
   std::vector<std::vector<double>> pins = {};
   /// Largest |v(u) - path| of the laws, as a share of a section's domain, where their slopes allow it.
   double law_tolerance = 1e-3;
@@ -54,7 +57,7 @@ struct SkinReport {
   double law_deviation = 0.0;  ///< largest |v(u) - path| of all laws, as a share of a section's domain
   /// Largest distance of a section from the surface's curve at its v, as a share of the size of all.
   double interpolation_error = 0.0;
-  bool cancelled = false;
+  bool cancelled = false;  ///< the sections are paired by their parameters, and nothing was measured
 };
 
 /// A surface through matched sections.
