@@ -7,6 +7,7 @@
 
 #include "match_flags.h"
 #include "rank_flags.h"
+#include "skin_flags.h"
 #include "surface_output.h"
 
 namespace cli {
@@ -30,6 +31,7 @@ struct Command {
   MatchFlags match;
   RankFlags rank;
   SurfaceFlags surface;
+  SkinFlags skin;
   std::string blend = "auto";
   std::string frames;
   std::string at;
@@ -49,6 +51,7 @@ void add_morph_command(CLI::App& program, Command& command);
 void add_align_command(CLI::App& program, Command& command);
 void add_info_command(CLI::App& program, Command& command);
 void add_convert_command(CLI::App& program, Command& command);
+void add_skin_command(CLI::App& program, Command& command);
 void add_rank_command(CLI::App& program, Command& command);
 void add_index_command(CLI::App& program, Command& command);
 
