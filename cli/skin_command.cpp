@@ -40,11 +40,12 @@ Plan make_plan(const Command& command) {
   const SkinFlags& flags = command.skin;
   Plan plan;
   plan.output = plan_surface_output(*command.app, command.output, command.to, command.surface);
-  if (!command.match.reduce.empty() || !command.match.order.empty()) {
-    throw UsageError("skin makes smooth laws of its own: it takes --tolerance, not --reduce or --order");
+  if (!command.match.reduce.empty()) {
+    throw UsageError("skin makes its laws to a tolerance: it takes --tolerance and --order, not --reduce");
   }
   plan.skin.match = to_match_options(command.match);
-  if (plan.skin.match.reduction) plan.skin.law_tolerance = plan.skin.match.reduction->tolerance;
+  if (!command.match.order.empty()) plan.skin.law.order = plan.skin.match.reduction->order;
+  if (!command.match.tolerance.empty()) plan.skin.law.tolerance = plan.skin.match.reduction->tolerance;
   plan.skin.match.reduction.reset();
   plan.skin.loft.degree = parse_count("--degree", flags.degree, 1, kHighestDegree);
   plan.skin.loft.parameters = choose<LoftParameters>("--parameters", flags.parameters,

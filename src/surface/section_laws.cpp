@@ -4,11 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
-#include "surface/smooth_law.h"
+#include "match/second_curve.h"
+#include "surface/meet_pins.h"
 #include "tandem/curve/compose.h"
-#include "tandem/curve/edit.h"
 #include "tandem/error.h"
 
 namespace tandem {
@@ -20,6 +21,39 @@ std::vector<ParameterPair> pins_between(const SkinOptions& options, std::size_t 
   std::vector<ParameterPair> pins;
   for (const std::vector<double>& pin : options.pins) pins.push_back({pin[section], pin[section + 1]});
   return pins;
+}
+
+/// The pins as points of the path that the law was fitted to.
+std::vector<ParameterPair> pins_on(const FitPath& path, const SectionPath& section) {
+  std::vector<ParameterPair> pins;
+  const Interval u = section.correspondence.domain_u;
+  for (double at : section.pins) {
+    if (section.correspondence.closed) at -= std::floor((at - u.lo) / u.length()) * u.length();
+    const auto next = std::lower_bound(path.points.begin(), path.points.end(), at,
+                                       [](const ParameterPair& p, double x) { return p.u < x; });
+    // Matching has put a point at every pin; composed with other paths it may be off by rounding.
+    auto nearest = next;
+    if (nearest == path.points.end() ||
+        (next != path.points.begin() && at - (next - 1)->u < next->u - at)) {
+      --nearest;
+    }
+    pins.push_back(*nearest);
+  }
+  return pins;
+}
+
+Reparametrization law_of(const SectionPath& section, const LawOptions& options) {
+  const Correspondence& c = section.correspondence;
+  const FitPath path = fit_path(c, section.corners);
+  Reparametrization law = smooth_law(path, options, c.closed, c.reversed);
+  if (section.pins.empty()) return law;
+  if (std::optional<Curve> through = meet_pins(law.v, pins_on(path, section), c.closed)) {
+    law.v = *std::move(through);
+    return law;
+  }
+  std::vector<double> corners = section.corners;
+  corners.insert(corners.end(), section.pins.begin(), section.pins.end());
+  return smooth_law(fit_path(c, corners), options, c.closed, c.reversed);
 }
 
 }  // namespace
@@ -76,12 +110,10 @@ std::vector<SectionPath> match_in_sequence(std::span<const Curve> sections, cons
   return paths;
 }
 
-SectionInStep put_in_step(const Curve& section, const SectionPath& path, double tolerance) {
+SectionInStep put_in_step(const Curve& section, const SectionPath& path, const LawOptions& options) {
   const Correspondence& c = path.correspondence;
-  Reparametrization law = smooth_law(fit_path(c, path.corners), {tolerance, c.closed, path.pins}, c.reversed);
-  Curve curve = c.reversed ? reverse(section) : section;
-  if (c.closed) curve = move_seam(curve, law.v.control_points().front()[0]);
-  return {compose(curve, law.v), std::move(law)};
+  Reparametrization law = law_of(path, options);
+  return {compose(second_curve(section, c, law), law.v), std::move(law)};
 }
 
 }  // namespace detail

@@ -8,6 +8,7 @@
 #include "tandem/match/correspondence.h"
 #include "tandem/match/match.h"
 #include "tandem/match/reparametrization.h"
+#include "tandem/surface/law.h"
 #include "tandem/surface/skin.h"
 
 namespace tandem {
@@ -37,7 +38,8 @@ struct SectionInStep {
   Reparametrization law;
 };
 
-[[nodiscard]] SectionInStep put_in_step(const Curve& section, const SectionPath& path, double tolerance);
+[[nodiscard]] SectionInStep put_in_step(const Curve& section, const SectionPath& path,
+                                        const LawOptions& options);
 
 }  // namespace detail
 }  // namespace v0

@@ -55,9 +55,6 @@ void check(std::span<const Curve> sections, const SkinOptions& options) {
                                       options.pins[k].size(), sections.size()));
   }
   if (sections.size() > 1) check_distinct(sections, options.loft.closed);
-  if (!(options.law_tolerance > 0.0)) {
-    throw InvalidArgument(fmt::format("the laws' tolerance is {}, expected > 0", options.law_tolerance));
-  }
 }
 
 Curve identity(Interval u) {
@@ -72,7 +69,7 @@ class Chain {
     const Curve& first = given_.front();
     set(0, {first, {identity(first.domain()), 0.0, false}});
     for (std::size_t k = 1; k < given_.size(); ++k) {
-      set(k, detail::put_in_step(given_[k], paths_[k], options.law_tolerance));
+      set(k, detail::put_in_step(given_[k], paths_[k], options.law));
     }
     for (std::size_t k = 0; k < pairs(); ++k) costs_.push_back(cost_of(k));
   }
@@ -98,7 +95,7 @@ class Chain {
         detail::match_between(given_[k], paths_[k], neighbours, options_->match);
     if (found.empty()) return false;
     tried.paths_[k] = std::move(found.front());
-    tried.set(k, detail::put_in_step(given_[k], tried.paths_[k], options_->law_tolerance));
+    tried.set(k, detail::put_in_step(given_[k], tried.paths_[k], options_->law));
     tried.costs_[k - 1] = tried.cost_of(k - 1);
     if (k < pairs()) tried.costs_[k] = tried.cost_of(k);
     if (!is_better(tried.total(), total())) return false;

@@ -9,6 +9,7 @@
 #include "tandem/match/match.h"
 #include "tandem/match/reparametrization.h"
 #include "tandem/match/validity.h"
+#include "tandem/surface/law.h"
 #include "tandem/surface/loft.h"
 #include "tandem/surface/surface.h"
 #include "tandem/tandem_export.h"
@@ -29,10 +30,12 @@ struct SkinOptions {
   std::optional<SkinMatching> matching = {};
   LoftOptions loft = {};
   /// One parameter per section each: points of all sections that belong together. They are met exactly, and
-  /// the sections are matched in sequence.
+  /// the sections are matched in sequence. A pin that the laws could meet only with a jump of their slope gives
+  /// a crease.
   std::vector<std::vector<double>> pins = {};
-  /// Largest |v(u) - path| of the laws, as a share of a section's domain, where their slopes allow it.
-  double law_tolerance = 1e-3;
+  /// Of order 3 by default: C1 is enough for normals without jumps, and the degree of a section is multiplied
+  /// by that of its law.
+  LawOptions law = {.order = 3};
 };
 
 /// What became of one section and the next; of a closed loft the last pair is that of the last and the first.
@@ -72,8 +75,8 @@ struct SkinnedSurface {
 
 /// The surface through n curves that run along u, put in step (spec C14, C15e).
 ///
-/// Sections are all open or all closed; seams and directions are found. Their laws v(u) are monotone and C1,
-/// so that the surface has no creases but where sections have corners; sections keep their geometry exactly.
+/// Sections are all open or all closed; seams and directions are found. Their laws v(u) are monotone and C1, so
+/// that the surface has no creases but where sections have corners; sections keep their geometry exactly.
 /// Neighbours in a chain depend on each other through nothing but their own law, so that for an open chain
 /// matching in sequence is the optimum already, but for samples and fits; a closed loft is a ring, and there
 /// joint matching finds what sequence cannot.
