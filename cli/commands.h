@@ -8,6 +8,7 @@
 
 #include "match_flags.h"
 #include "rank_flags.h"
+#include "skin_flags.h"
 #include "surface_output.h"
 
 namespace cli {
@@ -31,6 +32,7 @@ struct Command {
   MatchFlags match;
   RankFlags rank;
   SurfaceFlags surface;
+  SkinFlags skin;
   std::string blend = "auto";
   std::string frames;
   std::string at;
@@ -50,6 +52,7 @@ void add_morph_command(CLI::App& program, Command& command);
 void add_align_command(CLI::App& program, Command& command);
 void add_info_command(CLI::App& program, Command& command);
 void add_convert_command(CLI::App& program, Command& command);
+void add_skin_command(CLI::App& program, Command& command);
 void add_rank_command(CLI::App& program, Command& command);
 void add_index_command(CLI::App& program, Command& command);
 
