@@ -8,6 +8,7 @@
 
 #include "match_flags.h"
 #include "rank_flags.h"
+#include "rule_flags.h"
 #include "skin_flags.h"
 #include "surface_output.h"
 
@@ -33,6 +34,7 @@ struct Command {
   RankFlags rank;
   SurfaceFlags surface;
   SkinFlags skin;
+  RuleFlags rule;
   std::string blend = "auto";
   std::string frames;
   std::string at;
@@ -52,6 +54,8 @@ void add_morph_command(CLI::App& program, Command& command);
 void add_align_command(CLI::App& program, Command& command);
 void add_info_command(CLI::App& program, Command& command);
 void add_convert_command(CLI::App& program, Command& command);
+void add_rule_command(CLI::App& program, Command& command);
+void add_blend_command(CLI::App& program, Command& command);
 void add_skin_command(CLI::App& program, Command& command);
 void add_rank_command(CLI::App& program, Command& command);
 void add_index_command(CLI::App& program, Command& command);

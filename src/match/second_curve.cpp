@@ -18,8 +18,7 @@ Reparametrization in_own_domain(Reparametrization r, const Interval& cut, const 
 }
 
 Curve second_curve(const Curve& b, const Correspondence& correspondence, const Reparametrization& r) {
-  const bool was_cut =
-      b.is_closed() && !correspondence.closed && !(correspondence.domain_v == b.domain());
+  const bool was_cut = b.is_closed() && !correspondence.closed && !(correspondence.domain_v == b.domain());
   Curve curve = was_cut ? move_seam(b, correspondence.domain_v.lo) : b;
   if (r.reversed) {
     // t -> lo + hi - t in the curve's own domain, wherever it was cut.

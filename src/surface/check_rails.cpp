@@ -21,8 +21,8 @@ constexpr int kComparisons = 64;
 
 void check_rails(const Curve& a, const Curve& b, ClosedMode closed, std::string_view what) {
   if (a.dim() != b.dim()) {
-    throw InvalidArgument(fmt::format(
-        "the curves have different dimensions: the first has {}, the second {}", a.dim(), b.dim()));
+    throw InvalidArgument(fmt::format("the curves have different dimensions: the first has {}, the second {}",
+                                      a.dim(), b.dim()));
   }
   if (a.dim() < 2) throw InvalidArgument("the curves lie on a line (dimension 1): no surface between them");
   if (a.is_closed() != b.is_closed() && closed != ClosedMode::no) {

@@ -133,9 +133,9 @@ RuledSurface rule(const Curve& a, const Curve& b, const RuleOptions& options) {
   report.planar = plane.has_value();
   report.norm = norm_name(options, report.planar, paired.match.report);
   report.tangents = check_validity(rail_a, second);
-  report.validity =
-      report.planar ? check_validity(rail_a, second, NormKind::ruled) : report.tangents;
+  report.validity = report.planar ? check_validity(rail_a, second, NormKind::ruled) : report.tangents;
   paired.match.report.validity = report.validity;
+  paired.match.report.norm = report.norm;
   report.law = paired.law;
   report.rulings = detail::measure_rulings(rail_a, second);
   if (report.planar && !report.validity.valid) {

@@ -35,7 +35,8 @@ Surface sheet(double x0, double tilt, double phase, int degree = 3) {
       const double y = static_cast<double>(i);
       points[i * n + j][0] = x0 + 0.5 * static_cast<double>(j);
       points[i * n + j][1] = y;
-      points[i * n + j][2] = tilt * static_cast<double>(j * j) + 2.0 * std::exp(-(y - phase) * (y - phase) / 4.0);
+      points[i * n + j][2] =
+          tilt * static_cast<double>(j * j) + 2.0 * std::exp(-(y - phase) * (y - phase) / 4.0);
     }
   }
   std::vector<double> u;
@@ -69,9 +70,9 @@ TEST(HermiteBlend, LeavesBothNeighboursSmoothlyAndWithoutTwist) {
   const HermiteSurface blend = blend_rails(first, second);
   EXPECT_LE(largest_break(blend.surface, 0.0, left, [](double u) { return std::pair(u, 2.0); }), 1e-9);
   const Curve& law = blend.match.reparametrization.v;
-  EXPECT_LE(largest_break(blend.surface, 1.0, right,
-                          [&](double u) { return std::pair(law.evaluate(u)[0], 0.0); }),
-            1e-9);
+  EXPECT_LE(
+      largest_break(blend.surface, 1.0, right, [&](double u) { return std::pair(law.evaluate(u)[0], 0.0); }),
+      1e-9);
   EXPECT_TRUE(blend.report.validity.valid);
   EXPECT_LE(blend.report.crease_angle, 1.0 * kDegree);
   // The crest of the wave runs from one sheet's to the other's: it is no lower between them.
@@ -213,7 +214,8 @@ TEST(HermiteBlend, SaysWhatIsWrongWithItsInput) {
   EXPECT_NE(message_of({line, up}, {other, longer}).find("the second rail runs over"), std::string::npos);
   EXPECT_NE(message_of({line, up}, {line, up}).find("coincide"), std::string::npos);
   EXPECT_THROW(static_cast<void>(rail_of(sheet(0, 0, 3), Along::u, 5.0)), InvalidArgument);
-  EXPECT_THROW(static_cast<void>(rail_of(sheet(0, 0, 3), Along::u, 0.0, Departure::back, 0.0)), InvalidArgument);
+  EXPECT_THROW(static_cast<void>(rail_of(sheet(0, 0, 3), Along::u, 0.0, Departure::back, 0.0)),
+               InvalidArgument);
 }
 
 }  // namespace

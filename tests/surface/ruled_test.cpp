@@ -157,7 +157,8 @@ TEST(Ruled, PiecewiseLinearLawsCreaseAndTheReportSaysSo) {
   for (int j = 0; j <= 20; ++j) {
     const Point left = ruled.surface.normal(u, j / 20.0, {Side::left, Side::right});
     const Point right = ruled.surface.normal(u, j / 20.0, {Side::right, Side::right});
-    seen = std::max(seen, std::acos(std::min(1.0, left[0] * right[0] + left[1] * right[1] + left[2] * right[2])));
+    seen = std::max(seen,
+                    std::acos(std::min(1.0, left[0] * right[0] + left[1] * right[1] + left[2] * right[2])));
   }
   EXPECT_NEAR(seen, ruled.report.rulings.crease_angle, 0.02);
 }
