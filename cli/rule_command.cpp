@@ -79,7 +79,7 @@ void warn(const Messages& messages, const tandem::RuledReport& report,
         fmt::format("the law has order {}: smoother ones leave the surface invalid", report.law.order));
   }
   if (certificate && certificate->verdict != tandem::Verdict::certified) {
-    messages.warning(fmt::format("not certified: {}", name(certificate->verdict)));
+    messages.warning(fmt::format("not certified: {}", verdict_name(certificate->verdict)));
   }
 }
 

@@ -83,12 +83,13 @@ std::string format_witness(const tandem::Witness& witness) {
 
 std::string format_certificate(const Certificate& certificate) {
   std::string text = fmt::format("  \"certificate\": \"{}\",\n  \"regular\": \"{}\"",
-                                 name(certificate.verdict), name(certificate.regular));
+                                 verdict_name(certificate.verdict), verdict_name(certificate.regular));
   if (certificate.one_to_one) {
-    text += fmt::format(",\n  \"one_to_one\": \"{}\"", name(*certificate.one_to_one));
+    text += fmt::format(",\n  \"one_to_one\": \"{}\"", verdict_name(*certificate.one_to_one));
   }
   if (certificate.tessellation_simple) {
-    text += fmt::format(",\n  \"tessellation_simple\": \"{}\"", name(*certificate.tessellation_simple));
+    text +=
+        fmt::format(",\n  \"tessellation_simple\": \"{}\"", verdict_name(*certificate.tessellation_simple));
   }
   if (certificate.witness) text += ",\n  \"witness\": " + format_witness(*certificate.witness);
   return text;
@@ -103,7 +104,7 @@ std::string with_fields(const tandem::Match& match, const std::string& fields) {
 
 }  // namespace
 
-const char* name(tandem::Verdict verdict) {
+const char* verdict_name(tandem::Verdict verdict) {
   switch (verdict) {
     case tandem::Verdict::certified:
       return "certified";

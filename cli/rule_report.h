@@ -17,6 +17,6 @@ namespace cli {
 [[nodiscard]] std::string format_blend_report(const tandem::HermiteSurface& blend);
 
 /// "certified", "violated", "undecided".
-[[nodiscard]] const char* name(tandem::Verdict verdict);
+[[nodiscard]] const char* verdict_name(tandem::Verdict verdict);
 
 }  // namespace cli

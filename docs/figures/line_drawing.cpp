@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 #include "tandem/surface/edit.h"
@@ -13,11 +14,18 @@ namespace {
 
 constexpr int kPieces = 160;  // of a line along the surface
 constexpr int kAcross = 24;   // and of one across it
+constexpr int kEdgeSteps = 2000;
+constexpr double kEdgePiece = 0.005;  // shortest piece of an edge, as a share of the surface's size
 
 /// Oblique: depth runs to the right and up.
 Point projected(const Point& p) {
   if (p.size() == 2) return {p[0], -p[1]};
   return {p[0] + 0.45 * p[1], -p[2] - 0.35 * p[1]};
+}
+
+double distance(const Point& p, const Point& q) {
+  return p.size() == 2 ? std::hypot(p[0] - q[0], p[1] - q[1])
+                       : std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
 }
 
 /// Is every point at one height? Then the other two coordinates are drawn.
@@ -71,9 +79,10 @@ void LineDrawing::add_rulings(const Surface& surface, int count) {
   const bool flat = is_flat(surface);
   const bool planar = flat || surface.dim() == 2;
   const double wrong = planar ? rarer_sign(surface) : 0.0;
+  const Interval u_domain = surface.domain(Along::u);
   const Interval v_domain = surface.domain(Along::v);
   for (int i = 0; i <= count; ++i) {
-    const double u = place(surface.domain(Along::u), i, count);
+    const double u = place(u_domain, i, count);
     std::vector<Point> whole;
     std::vector<Point> red;
     for (int j = 0; j <= kAcross; ++j) {
@@ -85,9 +94,11 @@ void LineDrawing::add_rulings(const Surface& surface, int count) {
     if (red.size() > 1) add_line(red, "#d33", 1.4);
   }
   for (const double v : {v_domain.lo, v_domain.hi}) {
-    std::vector<Point> edge;
-    for (int i = 0; i <= 2 * kPieces; ++i) {
-      edge.push_back(at(surface, place(surface.domain(Along::u), i, 2 * kPieces), v, flat));
+    std::vector<Point> edge = {at(surface, u_domain.lo, v, flat)};
+    for (int i = 1; i <= kEdgeSteps; ++i) {
+      // The law may make an edge much faster in one place than in another.
+      const Point p = at(surface, place(u_domain, i, kEdgeSteps), v, flat);
+      if (i == kEdgeSteps || distance(p, edge.back()) > kEdgePiece * surface.extent()) edge.push_back(p);
     }
     add_line(edge, "#124", 2.0);
   }

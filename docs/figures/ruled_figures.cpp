@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 #include <span>
 #include <utility>
 #include <vector>
@@ -60,13 +61,14 @@ std::string u_shapes() {
                  60);
 }
 
-/// A cubic near the sine, moved by (dx, dy).
+/// A cubic near two periods of the cosine, from crest to crest, moved by (dx, dy).
 Curve wave(double dx, double dy) {
-  Points points(2, 50);
-  for (std::size_t i = 0; i < 50; ++i) {
-    const double x = 0.25 * static_cast<double>(i);
+  constexpr std::size_t kPoints = 50;
+  Points points(2, kPoints);
+  for (std::size_t i = 0; i < kPoints; ++i) {
+    const double x = 4.0 * std::numbers::pi * static_cast<double>(i) / (kPoints - 1);
     points[i][0] = x + dx;
-    points[i][1] = 3.0 * std::sin(x) + dy;
+    points[i][1] = 3.0 * std::cos(x) + dy;
   }
   return Curve::clamped_uniform(3, std::move(points));
 }
@@ -74,7 +76,7 @@ Curve wave(double dx, double dy) {
 /// [C] Figure 3: equal tangents do not keep rulings from crossing.
 std::string tangents_are_not_enough() {
   const Curve a = wave(0.0, 0.0);
-  const Curve b = wave(2.0, 5.6);
+  const Curve b = wave(2.3, 5.8);
   RuleOptions tangents;
   tangents.norm = NormKind::tangent;
   return pair_of("In step by tangents (red: folded over), and by the ruled norm",

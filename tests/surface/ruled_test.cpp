@@ -126,6 +126,26 @@ TEST(Ruled, MatchesInThePlaneThatTheCurvesLieIn) {
   EXPECT_LE(off_curve(ruled, tilted[1]), 1e-12);
 }
 
+// Figure 3: a wave and its own translation, whose tangents match perfectly.
+TEST(Ruled, EqualTangentsAreNotEnough) {
+  const auto wave = [](double dx, double dy) {
+    Points points(2, 50);
+    for (std::size_t i = 0; i < 50; ++i) {
+      const double x = 4.0 * std::numbers::pi * static_cast<double>(i) / 49.0;
+      points[i][0] = x + dx;
+      points[i][1] = 3.0 * std::cos(x) + dy;
+    }
+    return Curve::clamped_uniform(3, std::move(points));
+  };
+  const Curve a = wave(0.0, 0.0);
+  const Curve b = wave(2.3, 5.8);
+  EXPECT_GT(match(a, b).report.validity.min_dot, 0.99);
+  EXPECT_GT(detail::wrong_sign_share(a, match(a, b).curve), 0.01);
+  const RuledSurface ruled = rule(a, b);
+  EXPECT_TRUE(ruled.report.validity.valid);
+  EXPECT_EQ(rarer_area(ruled.surface), 0.0);
+}
+
 // Figure 10.
 TEST(Ruled, LettersKeepTheirFeatures) {
   const std::vector<Curve> letters = testing::cad_case("letters_EF");
