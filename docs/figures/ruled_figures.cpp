@@ -76,7 +76,7 @@ Curve wave(double dx, double dy) {
 /// [C] Figure 3: equal tangents do not keep rulings from crossing.
 std::string tangents_are_not_enough() {
   const Curve a = wave(0.0, 0.0);
-  const Curve b = wave(2.3, 5.8);
+  const Curve b = wave(2.0, 5.6);
   RuleOptions tangents;
   tangents.norm = NormKind::tangent;
   return pair_of("In step by tangents (red: folded over), and by the ruled norm",
