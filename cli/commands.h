@@ -3,10 +3,14 @@
 #include <CLI/CLI.hpp>
 #include <functional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "match_flags.h"
 #include "rank_flags.h"
+#include "rule_flags.h"
+#include "skin_flags.h"
+#include "surface_output.h"
 
 namespace cli {
 
@@ -29,6 +33,9 @@ struct Command {
   MatchFlags match;
   RankFlags rank;
   std::string blend;  ///< empty: the method's own
+  SurfaceFlags surface;
+  SkinFlags skin;
+  RuleFlags rule;
   std::string frames;
   std::string at;
   std::string duration = "2";
@@ -48,11 +55,17 @@ void add_morph_command(CLI::App& program, Command& command);
 void add_align_command(CLI::App& program, Command& command);
 void add_info_command(CLI::App& program, Command& command);
 void add_convert_command(CLI::App& program, Command& command);
+void add_rule_command(CLI::App& program, Command& command);
+void add_blend_command(CLI::App& program, Command& command);
+void add_skin_command(CLI::App& program, Command& command);
 void add_rank_command(CLI::App& program, Command& command);
 void add_index_command(CLI::App& program, Command& command);
 
 /// @throws UsageError standard input is named twice
 void check_standard_input(const Command& command);
+
+/// The one input, which may be a surface. @throws UsageError there is not one
+[[nodiscard]] std::variant<tandem::Shape, tandem::Surface> load_any_input(const Command& command);
 
 /// The inputs as shapes. @throws UsageError unless their number lies in [least, most]; standard input named
 /// twice

@@ -23,7 +23,7 @@ namespace {
 
 /// Commands and options of the interface that do not work yet: people shall be told so, not that they
 /// mistyped.
-constexpr std::array<std::string_view, 5> kLaterCommands = {"rule", "blend", "skin", "font", "loft-repair"};
+constexpr std::array<std::string_view, 2> kLaterCommands = {"font", "loft-repair"};
 constexpr std::array<std::string_view, 5> kLaterOptions = {"--certify", "--mirror", "--linear", "--grid",
                                                            "--axis"};
 
@@ -56,7 +56,7 @@ std::string with_suggestion(const std::string& text, std::string_view word,
                      "; options of a command stand behind it");
   }
   throw UsageError(with_suggestion("no command " + word, word,
-                                   {"match", "morph", "align", "rank", "index", "info", "convert"}));
+                                   {"match", "morph", "align", "rule", "blend", "skin", "rank", "index", "info", "convert"}));
 }
 
 /// Our structs hold text, where empty means "not given"; an empty value that was given is a mistake.
@@ -85,7 +85,7 @@ int run(int argc, char** argv) {
                    "tandem");
   add_usage(program);
   program.allow_extras();
-  std::array<Command, 7> commands;
+  std::array<Command, 10> commands;
   add_match_command(program, commands[0]);
   add_morph_command(program, commands[1]);
   add_info_command(program, commands[2]);
@@ -93,6 +93,9 @@ int run(int argc, char** argv) {
   add_rank_command(program, commands[4]);
   add_index_command(program, commands[5]);
   add_align_command(program, commands[6]);
+  add_skin_command(program, commands[7]);
+  add_rule_command(program, commands[8]);
+  add_blend_command(program, commands[9]);
   for (Command& command : commands) command.app->allow_extras();
 
   try {

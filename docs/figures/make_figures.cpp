@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "morph_figures.h"
+#include "ruled_figures.h"
 #include "segment_figures.h"
 #include "sheet.h"
 #include "tandem/io/files.h"
@@ -195,6 +196,7 @@ int main(int argc, char** argv) {
                                                    {"cuts.svg", cuts()}};
     pictures.merge(figures::segment_figures());
     pictures.merge(figures::morph_figures());
+    pictures.merge(figures::ruled_figures());
     int differ = 0;
     for (const auto& [name, svg] : pictures) {
       const std::string path = fmt::format("{}/{}", folder, name);

@@ -14,6 +14,7 @@
 #include "match/sample_pair.h"
 #include "match/search.h"
 #include "match/search_near.h"
+#include "match/second_curve.h"
 #include "match/segment_paths.h"
 #include "tandem/curve/compose.h"
 #include "tandem/curve/edit.h"
@@ -103,30 +104,6 @@ ReductionOptions reduction_of(const MatchOptions& options) {
   return reduction;
 }
 
-/// The second curve as v(u) refers to it: cut, turned round, and with its seam where v begins.
-Curve prepare_second(const Curve& b, const Correspondence& c, const Reparametrization& r, Layout layout) {
-  Curve curve = layout == Layout::cut_b ? move_seam(b, c.domain_v.lo) : b;
-  if (r.reversed) {
-    // t -> lo + hi - t in the curve's own domain, wherever it was cut.
-    const double sum = b.domain().lo + b.domain().hi;
-    const Interval cut = curve.domain();
-    curve = with_domain(reverse(curve), {sum - cut.hi, sum - cut.lo});
-  }
-  if (detail::is_closed_layout(layout)) curve = move_seam(curve, r.v.control_points().front()[0]);
-  return curve;
-}
-
-/// The fit turns v round in the correspondence's domain; v is to refer to the reversed second curve in its
-/// own, which differs when a loop was cut.
-Reparametrization in_own_domain(Reparametrization r, const Interval& cut, const Interval& own) {
-  const double offset = (own.lo + own.hi) - (cut.lo + cut.hi);
-  if (!r.reversed || offset == 0.0) return r;
-  Points points = r.v.control_points();
-  for (double& v : points.data()) v += offset;
-  r.v = Curve(r.v.degree(), r.v.knots(), std::move(points));
-  return r;
-}
-
 /// The curve turned about the origin, and halved, so that huge coordinates stay finite: what validity in the
 /// tangent norm depends on stays the same.
 Curve turned(const Curve& curve, const Rotation& rotation) {
@@ -179,11 +156,11 @@ Match finish(const Curve& a, const Curve& b, const MatchOptions& options, Layout
   Stopwatch watch;
   const Correspondence& correspondence = found.path.correspondence;
   MatchReport& report = found.report;
-  Reparametrization r = in_own_domain(
+  Reparametrization r = detail::in_own_domain(
       fit(fit_path(correspondence, found.path.corners), reduction_of(options), correspondence.reversed),
       correspondence.domain_v, b.domain());
   report.seconds.fit = watch.lap();
-  Curve curve = compose(prepare_second(b, correspondence, r, layout), r.v);
+  Curve curve = compose(detail::second_curve(b, correspondence, r), r.v);
   report.seconds.compose = watch.lap();
 
   const Curve& first = layout == Layout::cut_a ? move_seam(a, curve.domain().lo) : a;

@@ -121,19 +121,31 @@ double largest_deviation(const BasisTable& basis, std::span<const double> x, std
 
 ScalarFit fit_scalar_spline(std::span<const double> x, std::span<const double> y,
                             std::span<const double> knots, int degree, double first, double last,
-                            const SlopeRange& range) {
+                            const SlopeRange& range, const EndSlopes& ends) {
   const BasisTable basis(x, knots, degree);
   const std::vector<double> greville = greville_abscissae(knots, degree);
+  const std::size_t n = greville.size();
   MonotoneProblem problem = normal_equations(basis, y, degree, greville);
   problem.first = first;
   problem.last = last;
   add_pull_to_uniform_speed(problem, greville, static_cast<double>(std::max<std::size_t>(x.size(), 1)));
-  for (std::size_t i = 0; i + 1 < greville.size(); ++i) {
+  for (std::size_t i = 0; i + 1 < n; ++i) {
     problem.lower[i] = range.lo * (greville[i + 1] - greville[i]);
     problem.upper[i] = range.hi * (greville[i + 1] - greville[i]);
   }
-  const std::size_t ends[] = {0, greville.size() - 1};
-  std::vector<double> start = limit_slopes(greville, solve_unbounded(problem), ends, range);
+  std::vector<double> start = solve_unbounded(problem);
+  std::vector<std::size_t> fixed = {0, n - 1};
+  if (ends.first) {
+    start[1] = first + *ends.first * (greville[1] - greville[0]);
+    problem.lower.front() = problem.upper.front() = start[1] - first;
+    fixed.insert(fixed.begin() + 1, 1);
+  }
+  if (ends.last) {
+    start[n - 2] = last - *ends.last * (greville[n - 1] - greville[n - 2]);
+    problem.lower.back() = problem.upper.back() = last - start[n - 2];
+    fixed.insert(fixed.end() - 1, n - 2);
+  }
+  start = limit_slopes(greville, start, fixed, range);
 
   ScalarFit fit;
   fit.coefficients = solve_monotone(problem, std::move(start)).coefficients;

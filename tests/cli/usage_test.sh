@@ -21,7 +21,7 @@ out_has '--easing'
 
 wrong 'Usage|usage'
 wrong 'did you mean match' mach "$square" "$triangle"
-wrong 'rule is not available yet' rule "$square" "$triangle"
+wrong 'font is not available yet' font "$square" "$triangle"
 wrong 'no option --versoin; did you mean --version' --versoin
 wrong 'match has no option --metod; did you mean --method' match "$square" "$triangle" --metod paper
 wrong 'did you mean --samples' match --sample=20 "$square" "$triangle"

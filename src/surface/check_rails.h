@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string_view>
+
+#include "tandem/curve/curve.h"
+#include "tandem/match/match.h"
+
+namespace tandem {
+inline namespace v0 {
+namespace detail {
+
+/// @throws InvalidArgument dimensions that differ, or are 1; one rail closed and the other not, unless
+/// ClosedMode::no. what: "a ruled surface", say.
+void check_rails(const Curve& a, const Curve& b, ClosedMode closed, std::string_view what);
+
+/// @throws InvalidArgument the rails, over one domain, are nowhere further apart than 1e-9 of their size
+void refuse_coincident(const Curve& a, const Curve& b);
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace tandem

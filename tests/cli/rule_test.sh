@@ -1,0 +1,92 @@
+# rule and blend: what they write, what they report, what they refuse.
+source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
+
+examples=$DATA/../../examples/data
+u=("$examples/u_planar.json#0" "$examples/u_planar.json#1")
+letters=("$examples/letters_ef.json#0" "$examples/letters_ef.json#1")
+
+# rule, in the plane
+expect 0 rule "${u[@]}" -o u.json --json
+err_empty
+for field in planar tangents wrong_sign_share crease_angle warp_angle mean_warp_angle inclination mean_inclination \
+  twisted_share law outcome refined correspondence reparametrization valid min_dot; do
+  out_has "\"$field\": ?[^ ]"
+done
+out_has '"norm": ?"ruled"'
+out_has '"planar": ?true'
+out_has '"valid": ?true'
+out_has '"wrong_sign_share": ?0,'
+that "u.json is a surface" grep -q '"bspline_surface"' u.json
+that "u.json has the report" grep -q '"report": *{' u.json
+expect 0 rule "${u[@]}" -o u.json --json --certify
+out_has '"certificate": ?"certified"'
+out_has '"one_to_one": ?"certified"'
+expect 0 rule 'M0 0 C 20 30 40 30 60 0' 'M0 60 C 20 90 40 90 60 60' -o - --planar
+out_has '"bspline_surface"'
+
+# in space
+expect 0 rule "${letters[@]}" -o letters.obj --quiet --json
+out_has '"norm": ?"anti-twist"'
+out_has '"planar": ?false'
+that "letters.obj" grep -q '^f ' letters.obj
+expect 0 rule "${letters[@]}" -o letters.json --norm developable --inclination 1.2 --samples 48 --quiet --json
+out_has '"norm": ?"developable"'
+expect 0 rule "${letters[@]}" -o letters.json --norm tangent --order 3 --tolerance 0.01 --samples 48 --quiet --json
+out_has '"norm": ?"tangent"'
+out_has '"order": ?3'
+
+# curves that cross have no ruled surface without folds
+crossing=('M0 0 C 20 30 40 30 60 0' 'M0 20 C 20 -10 40 0 60 30')
+expect 0 rule "${crossing[@]}" -o crossing.json
+err_has 'folds over itself: the wrong sign on [0-9.]+ % of its area'
+expect 0 rule "${crossing[@]}" -o crossing.json --certify --json --quiet
+out_has '"certificate": ?"violated"'
+out_has '"witness": ?\{"kind"'
+rm -f crossing.json
+expect 4 rule "${crossing[@]}" -o crossing.json --strict
+that "nothing is written" test ! -e crossing.json
+
+# blend
+up='{"degree": 1, "points": [[0,2,4],[0,2,4]]}'
+down='{"degree": 1, "points": [[0,2,-4],[0,2,-4]]}'
+echo "{\"curves\": [{\"degree\": 2, \"points\": [[0,0,0],[3,0,1],[6,0,0]]}, $up, {\"degree\": 2, \"points\": [[0,5,0],[2,5,1],[6,5,0]]}, $down]}" >rails.json
+rails=('rails.json#0' 'rails.json#1' 'rails.json#2' 'rails.json#3')
+expect 0 blend "${rails[@]}" -o blend.json --json
+out_has '"crease_angle"'
+out_has '"valid": ?true'
+that "blend.json is cubic across" grep -Eq '"degree": *\[[0-9]+, *3\]' blend.json
+expect 0 blend "${rails[@]}" -o blend.stl
+that "blend.stl" test -s blend.stl
+
+# what is refused
+expect 3 rule "${letters[0]}" "${letters[0]}" -o x.json
+err_has 'coincide'
+expect 3 rule "${letters[@]}" -o x.json --planar
+err_has 'do not lie in one plane'
+expect 3 rule "${letters[0]}" 'rails.json#0' -o x.json
+err_has 'the first curve is closed, the second open'
+expect 3 rule "${letters[0]}" "$square" -o x.json
+err_has 'different dimensions'
+expect 3 rule 'M0 0H10' 'M20 0H30' -o x.json
+err_has 'on one line'
+expect 3 rule 'M0 0H4V4H0ZM10 0H14V4H10Z' "$square" -o x.json
+err_has 'has 2 contours'
+expect 3 blend "${rails[0]}" "${rails[1]}" "${rails[0]}" "${rails[1]}" -o x.json
+err_has 'coincide'
+expect 2 rule "${u[@]}"
+err_has 'needs -o'
+expect 2 rule "${u[0]}" -o x.json
+err_has 'takes 2 curves'
+expect 2 blend "${u[@]}" -o x.json
+err_has 'takes 4 curves'
+expect 2 rule "${u[@]}" -o x.json --reduce 20
+err_has 'not --reduce'
+expect 2 rule "${u[@]}" -o x.json --rotate
+err_has 'where they lie'
+expect 2 rule "${u[@]}" -o x.json --inclination 0.5
+err_has 'goes with --norm developable'
+expect 2 rule "${u[@]}" -o x.json --norm angle
+err_has 'takes one of'
+that "nothing is written" test ! -e x.json
+
+finish
