@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <functional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "match_flags.h"
@@ -57,6 +58,9 @@ void add_index_command(CLI::App& program, Command& command);
 
 /// @throws UsageError standard input is named twice
 void check_standard_input(const Command& command);
+
+/// The one input, which may be a surface. @throws UsageError there is not one
+[[nodiscard]] std::variant<tandem::Shape, tandem::Surface> load_any_input(const Command& command);
 
 /// The inputs as shapes. @throws UsageError unless their number lies in [least, most]; standard input named
 /// twice

@@ -1,5 +1,11 @@
+#include <string>
+#include <variant>
+#include <vector>
+
 #include "commands.h"
+#include "names.h"
 #include "output.h"
+#include "surface_output.h"
 #include "tandem/io/itd.h"
 #include "tandem/io/json.h"
 #include "tandem/io/svg.h"
@@ -19,25 +25,51 @@ std::string format_shape(const tandem::Shape& shape, Format format) {
   }
 }
 
-Status run(const Command& command) {
-  if (command.output.empty())
-    throw UsageError("convert needs -o OUT: .json, .svg, .itd, or - for standard output");
+std::vector<Format> all_formats() {
+  std::vector<Format> formats = surface_formats();
+  formats.push_back(Format::itd);
+  return formats;
+}
+
+void convert_shape(const Command& command, const tandem::Shape& shape) {
   const Format format = output_format(command.output, command.to, {Format::json, Format::svg, Format::itd});
-  std::string text = format_shape(load_inputs(command, 1, 1).front(), format);
+  std::string text = format_shape(shape, format);
   if (text.empty() || text.back() != '\n') text += '\n';
   write_output(command.output, text);
+}
+
+Status run(const Command& command) {
+  if (command.output.empty()) {
+    throw UsageError("convert needs -o OUT: of curves .json, .svg, .itd, or - for standard output; of surfaces " +
+                     surface_endings());
+  }
+  // Which formats there are depends on what is read; one that neither has is refused before.
+  static_cast<void>(output_format(command.output, command.to, all_formats()));
+  const std::variant<tandem::Shape, tandem::Surface> loaded = load_any_input(command);
+  if (const auto* shape = std::get_if<tandem::Shape>(&loaded)) {
+    convert_shape(command, *shape);
+    return kDone;
+  }
+  const SurfaceOutput output =
+      plan_surface_output(*command.app, command.output, command.to, command.surface);
+  SurfaceContent content;
+  content.surface = &std::get<tandem::Surface>(loaded);
+  content.title = short_name(command.inputs.front());
+  write_surface(output, content);
   return kDone;
 }
 
 }  // namespace
 
 void add_convert_command(CLI::App& program, Command& command) {
-  command.app = program.add_subcommand("convert", "The same curves in another format");
+  command.app = program.add_subcommand("convert", "The same curves, or the same surface, in another format");
   command.app->add_option("shape", command.inputs, "A file, a part of a file, or path data");
-  command.app->add_option("-o,--output", command.output, ".json, .svg, .itd, or - for standard output")
+  command.app
+      ->add_option("-o,--output", command.output,
+                   "Of curves .json, .svg, .itd; of a surface .json, .obj, .stl, .ply, .glb, .svg, .png, .html")
       ->type_name("OUT");
-  command.app->add_option("--to", command.to, "json, svg, itd: whatever the ending of OUT")
-      ->type_name("FORMAT");
+  command.app->add_option("--to", command.to, "json, svg, ...: whatever the ending of OUT")->type_name("FORMAT");
+  add_surface_flags(*command.app, command.surface);
   add_common_flags(*command.app, command.common);
   command.run = run;
 }

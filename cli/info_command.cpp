@@ -1,7 +1,10 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <string>
 #include <string_view>
+#include <variant>
 
 #include "commands.h"
 #include "output.h"
@@ -15,7 +18,9 @@ namespace {
 
 using tandem::Box;
 using tandem::Curve;
+using tandem::Along;
 using tandem::Shape;
+using tandem::Surface;
 
 constexpr double kLengthAccuracy = 1e-9;  // relative; more digits than are printed for people
 
@@ -94,10 +99,56 @@ std::string format_text(const std::string& name, const Shape& shape) {
       "periodic", "rational", "length", rows);
 }
 
+/// Of the control points, which hold the surface.
+Box hull_box(const Surface& surface) {
+  const tandem::Points& points = surface.control_points();
+  Box box{{points[0].begin(), points[0].end()}, {points[0].begin(), points[0].end()}};
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    for (std::size_t k = 0; k < box.lo.size(); ++k) {
+      box.lo[k] = std::min(box.lo[k], points[i][k]);
+      box.hi[k] = std::max(box.hi[k], points[i][k]);
+    }
+  }
+  return box;
+}
+
+std::string format_json(const std::string& name, const Surface& surface) {
+  const auto both = [&](auto value) {
+    return fmt::format("[{}, {}]", value(Along::u), value(Along::v));
+  };
+  const auto domain = [&](Along along) {
+    const tandem::Interval d = surface.domain(along);
+    return fmt::format("[{}, {}]", json_number(d.lo), json_number(d.hi));
+  };
+  return fmt::format(
+      R"({{"tandem": {}, "name": {}, "kind": "surface", "degree": {}, "dimension": {}, "control_points": {}, )"
+      R"("domain": {}, "closed": {}, "rational": {}, "box": {}}})"
+      "\n",
+      json_string(tandem::version()), json_string(name), both([&](Along a) { return surface.degree(a); }),
+      surface.dim(), both([&](Along a) { return surface.size(a); }), both(domain),
+      both([&](Along a) { return surface.is_closed(a); }), surface.is_rational(), json_box(hull_box(surface)));
+}
+
+std::string format_text(const std::string& name, const Surface& surface) {
+  const Box box = hull_box(surface);
+  std::string rows;
+  for (const Along along : {Along::u, Along::v}) {
+    const tandem::Interval domain = surface.domain(along);
+    rows += fmt::format("{:>5}  {:>6}  {:>6}  {:<14}  {}\n", along == Along::u ? "u" : "v",
+                        surface.degree(along), surface.size(along),
+                        fmt::format("[{:.6g}, {:.6g}]", domain.lo, domain.hi), yes_no(surface.is_closed(along)));
+  }
+  return fmt::format("{}\nsurface, dimension {}, {}, control points from {} to {}\n{:>5}  {:>6}  {:>6}  {:<14}  {}\n{}",
+                     name, surface.dim(), surface.is_rational() ? "rational" : "polynomial", text_point(box.lo),
+                     text_point(box.hi), "along", "degree", "points", "domain", "closed", rows);
+}
+
 Status run(const Command& command) {
-  const Shape shape = load_inputs(command, 1, 1).front();
+  const std::variant<Shape, Surface> loaded = load_any_input(command);
   const std::string& name = command.inputs.front();
-  write_output("-", command.common.json ? format_json(name, shape) : format_text(name, shape));
+  const std::string text = std::visit(
+      [&](const auto& it) { return command.common.json ? format_json(name, it) : format_text(name, it); }, loaded);
+  write_output("-", text);
   return kDone;
 }
 

@@ -4,6 +4,7 @@
 
 #include "commands.h"
 #include "tandem/error.h"
+#include "tandem/io/load_surface.h"
 #include "usage_error.h"
 
 namespace cli {
@@ -13,20 +14,41 @@ void check_standard_input(const Command& command) {
     throw UsageError("standard input can be read only once");
 }
 
+namespace {
+
+void check_count(const Command& command, std::size_t least, std::size_t most) {
+  const std::size_t count = command.inputs.size();
+  if (count >= least && count <= most) return;
+  const std::string wanted = least == most ? fmt::format("{}", least) : fmt::format("{} or more", least);
+  throw UsageError(fmt::format("{} takes {} curve{} or shape{}, not {}", command.app->get_name(), wanted,
+                               most == 1 ? "" : "s", most == 1 ? "" : "s", count));
+}
+
+void check_contours(const tandem::Shape& shape, const std::string& name) {
+  if (shape.contours.empty()) throw tandem::InvalidArgument(name + ": holds no contour");
+}
+
+}  // namespace
+
+std::variant<tandem::Shape, tandem::Surface> load_any_input(const Command& command) {
+  check_count(command, 1, 1);
+  const std::string& name = command.inputs.front();
+  std::variant<tandem::Shape, tandem::Surface> loaded =
+      tandem::load_shape_or_surface(name, to_load_options(command.common));
+  if (const auto* shape = std::get_if<tandem::Shape>(&loaded)) check_contours(*shape, name);
+  return loaded;
+}
+
 std::vector<tandem::Shape> load_inputs(const Command& command, std::size_t least, std::size_t most) {
   const std::vector<std::string>& names = command.inputs;
-  if (names.size() < least || names.size() > most) {
-    const std::string wanted = least == most ? fmt::format("{}", least) : fmt::format("{} or more", least);
-    throw UsageError(fmt::format("{} takes {} curve{} or shape{}, not {}", command.app->get_name(), wanted,
-                                 most == 1 ? "" : "s", most == 1 ? "" : "s", names.size()));
-  }
+  check_count(command, least, most);
   check_standard_input(command);
   const tandem::LoadOptions options = to_load_options(command.common);
   std::vector<tandem::Shape> shapes;
   shapes.reserve(names.size());
   for (const std::string& name : names) {
     shapes.push_back(tandem::load_shape(name, options));
-    if (shapes.back().contours.empty()) throw tandem::InvalidArgument(name + ": holds no contour");
+    check_contours(shapes.back(), name);
   }
   return shapes;
 }

@@ -24,13 +24,6 @@ constexpr double kFinestChord = 1e-9;  // shares of the extent: below it vertice
 constexpr double kFinestAngle = 1e-3;  // radians
 constexpr double kCoarsestAngle = 1.57;
 
-const std::vector<Format>& formats() {
-  static const std::vector<Format> all = {Format::json, Format::obj,  Format::stl, Format::ply,
-                                          Format::glb,  Format::svg,  Format::png, Format::html,
-                                          Format::step, Format::iges, Format::brep};
-  return all;
-}
-
 bool needs_cad(Format format) {
   return format == Format::step || format == Format::iges || format == Format::brep;
 }
@@ -74,6 +67,13 @@ std::string format(const SurfaceOutput& output, const SurfaceContent& content) {
 
 }  // namespace
 
+const std::vector<Format>& surface_formats() {
+  static const std::vector<Format> all = {Format::json, Format::obj,  Format::stl, Format::ply,
+                                          Format::glb,  Format::svg,  Format::png, Format::html,
+                                          Format::step, Format::iges, Format::brep};
+  return all;
+}
+
 void add_surface_flags(CLI::App& app, SurfaceFlags& flags) {
   app.add_option("--chord", flags.chord,
                  "Largest distance of triangles and surface, as a share of its extent (1e-3)")
@@ -92,7 +92,7 @@ SurfaceOutput plan_surface_output(const CLI::App& app, const std::string& path, 
   if (path.empty()) throw UsageError(fmt::format("{} needs -o OUT: {}", app.get_name(), surface_endings()));
   SurfaceOutput output;
   output.path = path;
-  output.format = output_format(path, to, formats());
+  output.format = output_format(path, to, surface_formats());
   output.mesh.chord = parse_number("--chord", flags.chord, kFinestChord, 1.0);
   output.mesh.angle = parse_number("--angle", flags.angle, kFinestAngle, kCoarsestAngle);
   output.size = parse_count("--size", flags.size, 1, kLargestPicture);

@@ -29,6 +29,9 @@ struct SurfaceOutput {
   int size = 0;
 };
 
+/// What surfaces are written as.
+[[nodiscard]] const std::vector<Format>& surface_formats();
+
 /// The endings that surfaces have, as a list for people.
 [[nodiscard]] std::string surface_endings();
 

@@ -39,6 +39,8 @@ Camera::Camera(const Scene& scene) {
 }
 
 void Camera::look_from(double azimuth, double elevation) {
+  azimuth_ = azimuth;
+  elevation_ = elevation;
   constexpr double kRadians = 3.14159265358979323846 / 180.0;
   const double a = azimuth * kRadians;
   const double e = elevation * kRadians;

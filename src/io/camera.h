@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "surface/vector3.h"
@@ -21,12 +22,17 @@ class Camera {
   /// Of a direction.
   [[nodiscard]] Vector3 turn(std::span<const double> direction) const;
   [[nodiscard]] std::vector<Vector3> place(const Points& points) const;
+  /// Where it stands, in degrees; planar scenes have y up for this.
+  [[nodiscard]] double azimuth() const noexcept { return azimuth_; }
+  [[nodiscard]] double elevation() const noexcept { return elevation_; }
 
  private:
   void look_from(double azimuth, double elevation);
 
   Vector3 center_{};
   double radius_ = 1.0;
+  double azimuth_ = -90.0;
+  double elevation_ = 90.0;
   Vector3 right_{1.0, 0.0, 0.0};
   Vector3 up_{0.0, -1.0, 0.0};
   Vector3 toward_{0.0, 0.0, 1.0};

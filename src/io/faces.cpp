@@ -157,11 +157,14 @@ bool Faces::is_visible(const Vector3& pixel, double slack) const {
   return false;
 }
 
-std::vector<std::uint8_t> Faces::colors() const {
+bool Faces::shows_fronts() const {
   const auto fronts = std::count(side_.begin(), side_.end(), kFront);
-  const auto backs = std::count(side_.begin(), side_.end(), kBack);
+  return fronts >= std::count(side_.begin(), side_.end(), kBack);
+}
+
+std::vector<std::uint8_t> Faces::colors() const {
   // What is seen most of is the front, whichever way the surface was parametrized.
-  const std::uint8_t front = backs > fronts ? kBack : kFront;
+  const std::uint8_t front = shows_fronts() ? kFront : kBack;
   std::vector<std::uint8_t> result(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_) * 4);
   const double samples = factor_ * factor_;
   for (int y = 0; y < height_; ++y) {

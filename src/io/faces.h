@@ -24,6 +24,9 @@ class Faces {
   /// Whether nothing nearer hides a point (in pixels), which may lie deeper by `slack`. Near the rim of a face,
   /// within a pixel, everything is visible.
   [[nodiscard]] bool is_visible(const Vector3& pixel, double slack) const;
+  /// Whether most of what is seen is seen from the side from which its triangles run counter-clockwise (planar
+  /// ones: with y up). If not, the picture takes the backs for fronts.
+  [[nodiscard]] bool shows_fronts() const;
   /// Red, green, blue, opacity of each pixel, row by row from the top; not premultiplied.
   [[nodiscard]] std::vector<std::uint8_t> colors() const;
 

@@ -9,6 +9,7 @@
 #include <sstream>
 #include <string_view>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "io/file_format.h"
@@ -22,7 +23,9 @@
 #include "tandem/io/font.h"
 #include "tandem/io/itd.h"
 #include "tandem/io/json.h"
+#include "tandem/io/load_surface.h"
 #include "tandem/io/path_data.h"
+#include "tandem/io/surface_json.h"
 #include "tandem/io/svg.h"
 #include "tandem/shape/transform.h"
 
@@ -195,7 +198,16 @@ Shape parse(std::string_view text, FileFormat format, const FilePart& name, cons
   fail(name.path, "is of no known kind: expected SVG, JSON, ITD, CSV, path data or a font");
 }
 
-Shape load_file(const FilePart& name, const LoadOptions& options) {
+/// JSON that says it is a surface is one, where a surface will do.
+std::variant<Shape, Surface> parse_any(std::string_view text, FileFormat format, const FilePart& name,
+                                       const LoadOptions& options) {
+  if (format == FileFormat::json && !name.part && is_json_surface(text)) {
+    return parse_json_surface(text, name.path);
+  }
+  return parse(text, format, name, options);
+}
+
+std::variant<Shape, Surface> load_file(const FilePart& name, const LoadOptions& options) {
   const FileFormat by_name = format_of_extension(name.path);
   if (by_name == FileFormat::font) return glyph_shape(name);
   if (by_name == FileFormat::cad) return parse({}, by_name, name, options);
@@ -203,7 +215,7 @@ Shape load_file(const FilePart& name, const LoadOptions& options) {
   if (text.empty()) fail(name.path, "is empty");
   const FileFormat format = by_name == FileFormat::unknown ? format_of_content(text) : by_name;
   if (format == FileFormat::font) return glyph_shape(name);
-  return parse(text, format, name, options);
+  return parse_any(text, format, name, options);
 }
 
 /// Whether someone who writes this means a file.
@@ -214,12 +226,12 @@ bool looks_like_a_file(const std::string& name) {
 
 }  // namespace
 
-Shape load_shape(const std::string& name, const LoadOptions& options) {
+std::variant<Shape, Surface> load_shape_or_surface(const std::string& name, const LoadOptions& options) {
   if (name == "-" || name.rfind("-#", 0) == 0) {
     const std::string text = read_file("-");
     FilePart input{"standard input", std::nullopt};
     if (name.size() > 2) input.part = name.substr(2);
-    return parse(text, format_of_content(text), input, options);
+    return parse_any(text, format_of_content(text), input, options);
   }
   if (const std::optional<FilePart> file = existing_file(name)) return load_file(*file, options);
   if (looks_like_a_file(name)) throw IoError(fmt::format("cannot read {}: there is no such file", name));
@@ -229,6 +241,18 @@ Shape load_shape(const std::string& name, const LoadOptions& options) {
   }
   throw InvalidArgument(
       fmt::format("'{}' is neither a file nor path data (M or m, and a number)", name.substr(0, 80)));
+}
+
+Shape load_shape(const std::string& name, const LoadOptions& options) {
+  std::variant<Shape, Surface> loaded = load_shape_or_surface(name, options);
+  if (Shape* shape = std::get_if<Shape>(&loaded)) return std::move(*shape);
+  fail(name == "-" ? "standard input" : name, "is a surface, expected curves");
+}
+
+Surface load_surface(const std::string& name) {
+  std::variant<Shape, Surface> loaded = load_shape_or_surface(name);
+  if (Surface* surface = std::get_if<Surface>(&loaded)) return std::move(*surface);
+  fail(name == "-" ? "standard input" : name, "holds curves, expected a surface (\"type\": \"bspline_surface\")");
 }
 
 }  // namespace v0
