@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "curve/norm.h"
+#include "tandem/curve/edit.h"
 #include "tandem/curve/knots.h"
 
 namespace tandem {
@@ -19,6 +20,7 @@ constexpr double kSameSpeed = 1e-9;
 constexpr double kSameKnot = 1e-12;
 /// Of the room that the next coefficient leaves: the law has to increase beyond as well.
 constexpr double kShareOfRoom = 0.75;
+constexpr std::size_t kSpans = 4;
 
 /// Speeds before and after a place, 0 where the direction is not the same.
 struct Speeds {
@@ -58,6 +60,27 @@ struct Joint {
   double span_after = 0.0;
 };
 
+/// The same law with kSpans spans or more between any two knots of full multiplicity (less one): slopes at
+/// both ends of such a piece are then made by coefficients of their own, and some are left.
+Curve with_room(const Curve& law) {
+  std::vector<double> added;
+  double start = law.domain().lo;
+  std::size_t spans = 0;
+  for (const Knot& knot : distinct_knots(law.knots())) {
+    if (knot.value == law.domain().lo) continue;
+    ++spans;
+    if (knot.multiplicity < law.degree()) continue;
+    for (std::size_t i = 1; spans < kSpans && i < kSpans; ++i) {
+      const double share = static_cast<double>(i) / static_cast<double>(kSpans);
+      const double t = (1.0 - share) * start + share * knot.value;
+      if (multiplicity(law.knots(), t) == 0) added.push_back(t);
+    }
+    start = knot.value;
+    spans = 0;
+  }
+  return refine(law, added);
+}
+
 void even_out(Points& c, const Joint& joint, const Speeds& speeds) {
   const double left = c[joint.at_left][0] - c[joint.at_left - 1][0];
   const double right = c[joint.at_right + 1][0] - c[joint.at_right][0];
@@ -79,6 +102,7 @@ void even_out(Points& c, const Joint& joint, const Speeds& speeds) {
 std::vector<double> smooth_joints(const Curve& curve, double angle) {
   std::vector<double> joints;
   const Interval domain = curve.domain();
+  if (curve.is_closed() && speeds_at(curve, domain.hi, domain.lo, angle).jump()) joints.push_back(domain.lo);
   for (const Knot& knot : distinct_knots(curve.knots())) {
     if (!(domain.lo < knot.value && knot.value < domain.hi) || knot.multiplicity < curve.degree()) continue;
     if (speeds_at(curve, knot.value, knot.value, angle).jump()) joints.push_back(knot.value);
@@ -86,12 +110,8 @@ std::vector<double> smooth_joints(const Curve& curve, double angle) {
   return joints;
 }
 
-bool has_even_speed(const Curve& curve, double angle) {
-  if (curve.is_closed() && speeds_at(curve, curve.domain().hi, curve.domain().lo, angle).jump()) return false;
-  return smooth_joints(curve, angle).empty();
-}
-
-Curve with_even_speed(const Curve& law, const Curve& section, bool loop, double angle) {
+Curve with_even_speed(const Curve& given, const Curve& section, bool loop, double angle) {
+  const Curve law = with_room(given);
   const auto degree = static_cast<std::size_t>(law.degree());
   const std::vector<double>& knots = law.knots();
   Points c = law.control_points();

@@ -8,13 +8,11 @@ namespace tandem {
 inline namespace v0 {
 namespace detail {
 
-/// Parameters inside a curve's domain at which it goes on in the same direction (within `angle`, in radians)
-/// with another speed: the joints of most drawings. A law that is smooth there would leave the jump in the
-/// section, and the surface a crease between this section and another that is turned against it.
+/// Parameters of a curve, the seam of a closed one as its start, at which it goes on in the same direction
+/// (within `angle`, in radians) with another speed: the joints of most drawings. A law that is smooth there
+/// would leave the jump in the section, and the surface a crease between this section and another that is
+/// turned against it.
 [[nodiscard]] std::vector<double> smooth_joints(const Curve& curve, double angle);
-
-/// No such joints, nor a jump across the seam of a closed curve.
-[[nodiscard]] bool has_even_speed(const Curve& curve, double angle);
 
 /// The law with slopes that make up for the jumps of speed: at its knots of full multiplicity (less one), and
 /// across the seam of a loop, if `section` has the same direction on both sides. The law keeps its values

@@ -130,8 +130,7 @@ std::vector<SectionPath> match_in_sequence(std::span<const Curve> sections, cons
 SectionInStep put_in_step(const Curve& section, const SectionPath& path, const LawOptions& options,
                           double corner_angle) {
   std::vector<double> corners = path.corners;
-  const Correspondence c =
-      with_points_at(path.correspondence, smooth_joints(section, corner_angle), corners);
+  const Correspondence c = with_points_at(path.correspondence, smooth_joints(section, corner_angle), corners);
   Reparametrization law = law_of(path, c, std::move(corners), options);
   const Curve second = second_curve(section, c, law);
   if (options.order > 2) {

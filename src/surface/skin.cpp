@@ -69,7 +69,7 @@ class Chain {
       : given_(given), paths_(std::move(paths)), options_(&options) {
     const Curve& first = given_.front();
     // Its own parameter is everybody's, unless its speed jumps.
-    if (detail::has_even_speed(first, options.match.corner_angle)) {
+    if (detail::smooth_joints(first, options.match.corner_angle).empty()) {
       set(0, {first, {identity(first.domain()), 0.0, false}});
     } else {
       set(0, detail::put_in_step(first, paths_.front(), options.law, options.match.corner_angle));
@@ -100,7 +100,8 @@ class Chain {
     std::vector<SectionPath> found = detail::match_between(given_[k], paths_[k], neighbours, options_->match);
     if (found.empty()) return false;
     tried.paths_[k] = std::move(found.front());
-    tried.set(k, detail::put_in_step(given_[k], tried.paths_[k], options_->law, options_->match.corner_angle));
+    tried.set(k,
+              detail::put_in_step(given_[k], tried.paths_[k], options_->law, options_->match.corner_angle));
     tried.costs_[k - 1] = tried.cost_of(k - 1);
     if (k < pairs()) tried.costs_[k] = tried.cost_of(k);
     if (!is_better(tried.total(), total())) return false;

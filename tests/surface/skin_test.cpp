@@ -198,8 +198,8 @@ TEST(Skin, HasNoCreases) {
   }
 }
 
-// A rectangle with round corners as drawings have it: a cubic per side and per corner, G1, each over one unit of
-// the parameter, so that the speed jumps at every joint.
+// A rectangle with round corners as drawings have it: a cubic per side and per corner, G1, each over one unit
+// of the parameter, so that the speed jumps at every joint.
 Curve rounded(double width, double height, double radius, double turn, double z) {
   const double k = radius * 0.5522847498;
   const double w = 0.5 * width;

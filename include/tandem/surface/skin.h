@@ -34,8 +34,10 @@ struct SkinOptions {
   /// gives a crease.
   std::vector<std::vector<double>> pins = {};
   /// Of order 3 by default: C1 is enough for normals without jumps, and the degree of a section is multiplied
-  /// by that of its law.
-  LawOptions law = {.order = 3};
+  /// by that of its law. The tolerance is a fifth of the distance of nodes: what is finer in a path is their
+  /// noise (measured: from 1e-3 to 2e-3 total costs fall by 1 to 2 %, and heights of bells are kept better).
+  /// The slopes are those at which no section nearly stands still.
+  LawOptions law = {.order = 3, .tolerance = 2e-3, .min_slope = 0.02};
 };
 
 /// What became of one section and the next; of a closed loft the last pair is that of the last and the first.
@@ -69,7 +71,8 @@ struct SkinnedSurface {
   std::vector<double> parameters;  ///< v of each section
   /// The sections in step, over the first one's domain: reparametrised exactly.
   std::vector<Curve> sections;
-  std::vector<Reparametrization> laws;  ///< of each section; the first one's is the identity unless its speed jumps
+  std::vector<Reparametrization>
+      laws;  ///< of each section; the first one's is the identity unless its speed jumps
   SkinReport report;
 };
 
