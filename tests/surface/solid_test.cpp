@@ -217,7 +217,7 @@ TEST(Solid, IsAlwaysClosed) {
     }
     return polygon(corners, z);
   };
-  for (int trial = 0; trial < 20; ++trial) {
+  for (int trial = 0; trial < 8; ++trial) {
     std::vector<std::vector<Curve>> levels(4);
     for (std::size_t l = 0; l < levels.size(); ++l) {
       const int count = std::uniform_int_distribution<int>(1, 3)(random);
