@@ -55,9 +55,8 @@ Plan make_plan(const Command& command) {
   plan.skin.loft.closed = flags.ring;
   if (!flags.rows.empty()) plan.skin.loft.rows = parse_count("--rows", flags.rows, 2, kMostRows);
   if (!flags.matching.empty()) {
-    plan.skin.matching =
-        choose<SkinMatching>("--matching", flags.matching,
-                             {{"sequence", SkinMatching::sequence}, {"joint", SkinMatching::joint}});
+    plan.skin.matching = choose<SkinMatching>(
+        "--matching", flags.matching, {{"sequence", SkinMatching::sequence}, {"joint", SkinMatching::joint}});
   }
   if (!flags.spacing.empty()) {
     plan.spacing = parse_number("--spacing", flags.spacing);
@@ -127,9 +126,9 @@ void warn(const Messages& messages, const tandem::SkinnedSurface& skinned) {
   for (std::size_t k = 0; k < skinned.report.pairs.size(); ++k) {
     const tandem::Validity& validity = skinned.report.pairs[k].validity;
     if (validity.valid) continue;
-    messages.warning(fmt::format("sections {} and {}: not valid on {:.2f} % of their length, least <T1,T2> {:.3f}",
-                              k, (k + 1) % skinned.sections.size(), 100.0 * (1.0 - validity.valid_share),
-                              validity.min_dot));
+    messages.warning(fmt::format(
+        "sections {} and {}: not valid on {:.2f} % of their length, least <T1,T2> {:.3f}", k,
+        (k + 1) % skinned.sections.size(), 100.0 * (1.0 - validity.valid_share), validity.min_dot));
   }
 }
 
@@ -166,9 +165,10 @@ Status write_solid(const Command& command, const Plan& plan, const std::vector<s
   options.chord = plan.output.mesh.chord;
   const tandem::Solid solid = tandem::contours_to_solid(levels, options);
   if (solid.report.left_out > 0) {
-    messages.warning(fmt::format("{} contour{} on no level beside: nothing comes of {}", solid.report.left_out,
-                              solid.report.left_out == 1 ? " has a partner" : "s have partners",
-                              solid.report.left_out == 1 ? "it" : "them"));
+    messages.warning(fmt::format("{} contour{} on no level beside: nothing comes of {}",
+                                 solid.report.left_out,
+                                 solid.report.left_out == 1 ? " has a partner" : "s have partners",
+                                 solid.report.left_out == 1 ? "it" : "them"));
   }
   std::vector<Curve> curves;
   for (const auto& level : levels) curves.insert(curves.end(), level.begin(), level.end());
@@ -196,7 +196,8 @@ void add_skin_flags(CLI::App& app, SkinFlags& flags) {
   app.add_option("--spacing", flags.spacing, "Stack planar inputs at z = 0, X, 2X, ...")->type_name("X");
   app.add_flag("--ring", flags.ring, "The last section is followed by the first");
   app.add_flag("--solid", flags.solid, "Each input is a level of closed contours: a closed mesh with caps");
-  app.add_option("--pin", flags.pins, "x,y,z=x,y,z=...: points that belong together, one per section; repeatable")
+  app.add_option("--pin", flags.pins,
+                 "x,y,z=x,y,z=...: points that belong together, one per section; repeatable")
       ->type_name("POINTS")
       ->expected(1)
       ->take_all();
@@ -208,7 +209,8 @@ void add_skin_command(CLI::App& program, Command& command) {
   command.app = program.add_subcommand("skin", "The surface through curves, or the solid through contours");
   command.app->add_option("curves", command.inputs, "C1, C2, ...: files, parts of files, or path data");
   command.app->add_option("-o,--output", command.output, surface_endings())->type_name("OUT");
-  command.app->add_option("--to", command.to, "json, obj, ...: whatever the ending of OUT")->type_name("FORMAT");
+  command.app->add_option("--to", command.to, "json, obj, ...: whatever the ending of OUT")
+      ->type_name("FORMAT");
   add_skin_flags(*command.app, command.skin);
   add_surface_flags(*command.app, command.surface);
   add_common_flags(*command.app, command.common);

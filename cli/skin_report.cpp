@@ -21,10 +21,10 @@ const char* word(bool value) {
 }
 
 std::string format_pair(const tandem::SkinPair& pair) {
-  return fmt::format(
-      R"({{"valid": {}, "min_dot": {}, "valid_share": {}, "cost": {}, "direction": "{}"}})",
-      word(pair.validity.valid), json_number(pair.validity.min_dot), json_number(pair.validity.valid_share),
-      json_number(pair.cost), pair.direction == tandem::Direction::reversed ? "reversed" : "forward");
+  return fmt::format(R"({{"valid": {}, "min_dot": {}, "valid_share": {}, "cost": {}, "direction": "{}"}})",
+                     word(pair.validity.valid), json_number(pair.validity.min_dot),
+                     json_number(pair.validity.valid_share), json_number(pair.cost),
+                     pair.direction == tandem::Direction::reversed ? "reversed" : "forward");
 }
 
 std::string format_law(const tandem::Reparametrization& law) {
@@ -45,18 +45,22 @@ std::string format_skin_report(const tandem::SkinnedSurface& skinned) {
     laws += (laws.empty() ? "\n    " : ",\n    ") + format_law(law);
   }
   return fmt::format(
-      "{{\n  \"tandem\": \"{}\",\n  \"valid\": {},\n  \"total_cost\": {},\n  \"sequence_cost\": {},\n  \"sweeps\": {},\n"
-      "  \"crease_angle\": {},\n  \"law_deviation\": {},\n  \"interpolation_error\": {},\n  \"parameters\": {},\n"
+      "{{\n  \"tandem\": \"{}\",\n  \"valid\": {},\n  \"total_cost\": {},\n  \"sequence_cost\": {},\n  "
+      "\"sweeps\": {},\n"
+      "  \"crease_angle\": {},\n  \"law_deviation\": {},\n  \"interpolation_error\": {},\n  \"parameters\": "
+      "{},\n"
       "  \"pairs\": [{}],\n  \"laws\": [{}]\n}}",
-      tandem::version(), word(report.valid), json_number(report.total_cost), json_number(report.sequence_cost),
-      report.sweeps, json_number(report.crease_angle), json_number(report.law_deviation),
-      json_number(report.interpolation_error), numbers(skinned.parameters), pairs, laws);
+      tandem::version(), word(report.valid), json_number(report.total_cost),
+      json_number(report.sequence_cost), report.sweeps, json_number(report.crease_angle),
+      json_number(report.law_deviation), json_number(report.interpolation_error), numbers(skinned.parameters),
+      pairs, laws);
 }
 
 std::string format_solid_report(const tandem::Solid& solid) {
   const tandem::SolidReport& report = solid.report;
   return fmt::format(
-      "{{\n  \"tandem\": \"{}\",\n  \"triangles\": {},\n  \"vertices\": {},\n  \"volume\": {},\n  \"bands\": {},\n"
+      "{{\n  \"tandem\": \"{}\",\n  \"triangles\": {},\n  \"vertices\": {},\n  \"volume\": {},\n  \"bands\": "
+      "{},\n"
       "  \"branches\": {},\n  \"caps\": {},\n  \"left_out\": {},\n  \"valid_share\": {}\n}}",
       tandem::version(), solid.mesh.triangles.size(), solid.mesh.vertices.size(), json_number(report.volume),
       report.bands, report.branches, report.caps, report.left_out, json_number(report.valid_share));

@@ -20,6 +20,7 @@
 #include "ruled_figures.h"
 #include "segment_figures.h"
 #include "sheet.h"
+#include "skin_figures.h"
 #include "tandem/io/files.h"
 #include "tandem/io/load.h"
 #include "tandem/io/match_picture.h"
@@ -197,6 +198,7 @@ int main(int argc, char** argv) {
     pictures.merge(figures::segment_figures());
     pictures.merge(figures::morph_figures());
     pictures.merge(figures::ruled_figures());
+    pictures.merge(figures::skin_figures());
     int differ = 0;
     for (const auto& [name, svg] : pictures) {
       const std::string path = fmt::format("{}/{}", folder, name);

@@ -25,8 +25,8 @@ void check_sections(std::span<const Curve> sections, const LoftOptions& options)
                                         sections[j].dim(), first.dim()));
     }
     if (sections[j].is_closed() != first.is_closed()) {
-      throw InvalidArgument(fmt::format("section {} is {}, section 0 is {}; expected all open or all closed", j,
-                                        sections[j].is_closed() ? "closed" : "open",
+      throw InvalidArgument(fmt::format("section {} is {}, section 0 is {}; expected all open or all closed",
+                                        j, sections[j].is_closed() ? "closed" : "open",
                                         first.is_closed() ? "closed" : "open"));
     }
   }

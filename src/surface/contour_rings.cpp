@@ -56,12 +56,13 @@ void check(std::span<const std::vector<Curve>> levels) {
 /// first.
 class Polyline {
  public:
-  Polyline(const Curve& curve, double tolerance, double longest_share) : curve_(curve), tolerance_(tolerance) {
+  Polyline(const Curve& curve, double tolerance, double longest_share)
+      : curve_(curve), tolerance_(tolerance) {
     std::vector<Knot> knots = distinct_knots(curve.knots());
     const Interval domain = curve.domain();
-    knots.erase(std::remove_if(knots.begin(), knots.end(),
-                               [&](const Knot& k) { return !domain.contains(k.value); }),
-                knots.end());
+    knots.erase(
+        std::remove_if(knots.begin(), knots.end(), [&](const Knot& k) { return !domain.contains(k.value); }),
+        knots.end());
     points_.push_back(at(domain.lo));
     for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
       add(knots[i].value, points_.back(), knots[i + 1].value, at(knots[i + 1].value), kMostHalvings);
@@ -156,7 +157,8 @@ void set_axes(ContourStack& stack, const Polylines& contours) {
 }
 
 /// The common height of a level's contours.
-double height_of(const ContourStack& stack, const std::vector<std::vector<Vector3>>& contours, std::size_t level) {
+double height_of(const ContourStack& stack, const std::vector<std::vector<Vector3>>& contours,
+                 std::size_t level) {
   double lowest = 0.0;
   double highest = 0.0;
   double sum = 0.0;
@@ -197,7 +199,8 @@ void nest(std::vector<Ring>& rings, const std::vector<Vec2>& places) {
       if (k == i || !(areas[k] > areas[i])) continue;
       // Contours may touch: most of the vertices decide.
       std::size_t within = 0;
-      for (const std::uint32_t v : rings[i].loop) within += is_inside(rings[k].loop, places, places[v]) ? 1 : 0;
+      for (const std::uint32_t v : rings[i].loop)
+        within += is_inside(rings[k].loop, places, places[v]) ? 1 : 0;
       if (2 * within <= rings[i].loop.size()) continue;
       if (rings[i].depth == 0 || areas[k] < smallest) {
         rings[i].parent = k;
@@ -234,7 +237,8 @@ ContourStack make_stack(std::span<const std::vector<Curve>> levels, double chord
   for (std::size_t l = 0; l < contours.size(); ++l) {
     const double height = height_of(stack, contours[l], l);
     if (l > 0 && !(height - below > kLeastHeight)) {
-      throw InvalidArgument(fmt::format("level {} does not lie beyond level {}, expected levels in order", l, l - 1));
+      throw InvalidArgument(
+          fmt::format("level {} does not lie beyond level {}, expected levels in order", l, l - 1));
     }
     below = height;
     stack.levels.emplace_back();

@@ -110,7 +110,8 @@ CutRing cut_ring(std::vector<Ring>& level, std::size_t ring, std::span<const Loo
       const auto segment = piece.path.segment(i);
       const Vec2 a{segment[0][0], segment[0][1]};
       const Vec2 b{segment[3][0], segment[3][1]};
-      const int parts = piece.chords[i] ? std::max(1, static_cast<int>(std::ceil(distance(a, b) / longest_edge))) : 1;
+      const int parts =
+          piece.chords[i] ? std::max(1, static_cast<int>(std::ceil(distance(a, b) / longest_edge))) : 1;
       for (int k = 0; k < parts; ++k) {
         const double s = static_cast<double>(k) / parts;
         loop.push_back(numbering.number({(1.0 - s) * a.x + s * b.x, (1.0 - s) * a.y + s * b.y}));

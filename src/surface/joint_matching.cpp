@@ -93,8 +93,8 @@ std::vector<SectionPath> match_between(const Curve& section, const SectionPath& 
   }
   if (path.correspondence.reversed) own = reversed(own);
 
-  const FeatureOptions features{
-      .position_weight = options.features.position_weight, .lenient = options.features.lenient};
+  const FeatureOptions features{.position_weight = options.features.position_weight,
+                                .lenient = options.features.lenient};
   EdgeTable table;
   for (std::size_t k = 0; k < neighbours.size(); ++k) {
     const Samples at = samples_at(neighbours[k], nodes);
@@ -108,7 +108,9 @@ std::vector<SectionPath> match_between(const Curve& section, const SectionPath& 
   const Path found = cyclic ? closed_path(table) : open_path(table);
   if (found.nodes.empty() || found.cancelled) return {};
   SectionPath better{
-      path_parameters(nodes, own, found.nodes, path.correspondence.reversed, cyclic, true).correspondence, {}, {}};
+      path_parameters(nodes, own, found.nodes, path.correspondence.reversed, cyclic, true).correspondence,
+      {},
+      {}};
   for (const double v : corners) better.corners.push_back(better.correspondence.u_at(v));
   return {std::move(better)};
 }
@@ -117,7 +119,8 @@ std::vector<SectionPath> spread_round(const std::vector<SectionPath>& paths, con
   const Correspondence& round = once_round.correspondence;
   // Of all turns of a loop the one that has the least left over.
   double mean = 0.0;
-  for (const ParameterPair& point : round.points) mean += (point.v - point.u) / static_cast<double>(round.points.size());
+  for (const ParameterPair& point : round.points)
+    mean += (point.v - point.u) / static_cast<double>(round.points.size());
   const double period = round.domain_u.length();
   const double turns = round.closed ? std::round(mean / period) * period : 0.0;
 

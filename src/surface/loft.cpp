@@ -109,9 +109,11 @@ std::vector<double> steps(std::span<const Curve> sections, const LoftOptions& op
   std::vector<double> steps;
   for (std::size_t j = 0; j + (options.closed ? 0 : 1) < n; ++j) {
     const std::size_t next = (j + 1) % n;
-    const double distance = detail::mean_distance(sections[j].control_points(), sections[next].control_points());
+    const double distance =
+        detail::mean_distance(sections[j].control_points(), sections[next].control_points());
     if (!(distance > kCoincident * extent)) {
-      throw InvalidArgument(fmt::format("sections {} and {} coincide, expected distinct neighbours", j, next));
+      throw InvalidArgument(
+          fmt::format("sections {} and {} coincide, expected distinct neighbours", j, next));
     }
     steps.push_back(options.parameters == LoftParameters::chord         ? distance
                     : options.parameters == LoftParameters::centripetal ? std::sqrt(distance)

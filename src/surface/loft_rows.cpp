@@ -84,7 +84,8 @@ std::vector<double> averaged_knots(std::span<const double> v, int degree) {
   return clamped(std::move(inner), degree, v);
 }
 
-// Every span holds a parameter, so that the normal equations are regular. The NURBS Book, eqs. (9.68), (9.69).
+// Every span holds a parameter, so that the normal equations are regular. The NURBS Book, eqs. (9.68),
+// (9.69).
 std::vector<double> spread_knots(std::span<const double> v, int degree, std::size_t n) {
   const std::size_t spans = n - static_cast<std::size_t>(degree);
   const double d = static_cast<double>(v.size()) / static_cast<double>(spans);
@@ -149,9 +150,11 @@ Curve approximate_rows(const Points& rows, std::span<const double> v, int degree
     Eigen::MatrixXd weights = Eigen::MatrixXd::Zero(index(rows.size()) - 2, index(n));
     for (std::size_t i = 1; i + 1 < rows.size(); ++i) {
       const Basis b = basis_at(knots, degree, v[i]);
-      for (std::size_t k = 0; k < b.values.size(); ++k) weights(index(i) - 1, index(b.first + k)) = b.values[k];
+      for (std::size_t k = 0; k < b.values.size(); ++k)
+        weights(index(i) - 1, index(b.first + k)) = b.values[k];
     }
-    const Eigen::MatrixXd ends = weights.col(0) * control.row(0) + weights.col(index(n) - 1) * control.row(index(n) - 1);
+    const Eigen::MatrixXd ends =
+        weights.col(0) * control.row(0) + weights.col(index(n) - 1) * control.row(index(n) - 1);
     const Eigen::MatrixXd wanted = data.middleRows(1, data.rows() - 2) - ends;
     control.middleRows(1, index(n) - 2) = weights.middleCols(1, index(n) - 2).householderQr().solve(wanted);
   }

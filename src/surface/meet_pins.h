@@ -14,7 +14,8 @@ namespace detail {
 /// misses by little: each shifts the coefficients that count at it by what is missing there. Nothing where it
 /// would not increase any more, or where pins share coefficients and disagree. loop: the law runs on
 /// periodically, so that the coefficients at its ends stay.
-[[nodiscard]] std::optional<Curve> meet_pins(const Curve& law, std::span<const ParameterPair> pins, bool loop);
+[[nodiscard]] std::optional<Curve> meet_pins(const Curve& law, std::span<const ParameterPair> pins,
+                                             bool loop);
 
 }  // namespace detail
 }  // namespace v0

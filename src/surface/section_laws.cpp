@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "match/second_curve.h"
+#include "surface/even_speed.h"
 #include "surface/meet_pins.h"
 #include "tandem/curve/compose.h"
 #include "tandem/error.h"
@@ -33,8 +34,7 @@ std::vector<ParameterPair> pins_on(const FitPath& path, const SectionPath& secti
                                        [](const ParameterPair& p, double x) { return p.u < x; });
     // Matching has put a point at every pin; composed with other paths it may be off by rounding.
     auto nearest = next;
-    if (nearest == path.points.end() ||
-        (next != path.points.begin() && at - (next - 1)->u < next->u - at)) {
+    if (nearest == path.points.end() || (next != path.points.begin() && at - (next - 1)->u < next->u - at)) {
       --nearest;
     }
     pins.push_back(*nearest);
@@ -42,16 +42,32 @@ std::vector<ParameterPair> pins_on(const FitPath& path, const SectionPath& secti
   return pins;
 }
 
-Reparametrization law_of(const SectionPath& section, const LawOptions& options) {
-  const Correspondence& c = section.correspondence;
-  const FitPath path = fit_path(c, section.corners);
+/// The correspondence with points at the joints (v), so that a law can be told to meet them.
+Correspondence with_points_at(Correspondence c, const std::vector<double>& joints,
+                              std::vector<double>& corners) {
+  for (const double v : joints) {
+    const double u = c.u_at(v);
+    corners.push_back(u);
+    const double period = c.domain_u.length();
+    const double turns = c.closed ? std::floor((u - c.points.front().u) / period) : 0.0;
+    const double along = c.reversed ? -c.domain_v.length() : c.domain_v.length();
+    const ParameterPair point{u - turns * period, v - turns * along};
+    const auto next = std::upper_bound(c.points.begin(), c.points.end(), point.u,
+                                       [](double x, const ParameterPair& p) { return x < p.u; });
+    if (next == c.points.begin() || (next - 1)->u < point.u) c.points.insert(next, point);
+  }
+  return c;
+}
+
+Reparametrization law_of(const SectionPath& section, const Correspondence& c, std::vector<double> corners,
+                         const LawOptions& options) {
+  const FitPath path = fit_path(c, corners);
   Reparametrization law = smooth_law(path, options, c.closed, c.reversed);
   if (section.pins.empty()) return law;
   if (std::optional<Curve> through = meet_pins(law.v, pins_on(path, section), c.closed)) {
     law.v = *std::move(through);
     return law;
   }
-  std::vector<double> corners = section.corners;
   corners.insert(corners.end(), section.pins.begin(), section.pins.end());
   return smooth_law(fit_path(c, corners), options, c.closed, c.reversed);
 }
@@ -80,7 +96,8 @@ SectionPath follow(const SectionPath& before, const Match& match) {
   const Samples& nodes = match.samples_b;
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     if (!nodes.corners[i]) continue;
-    const double v = pair.reversed ? nodes.domain.lo + (nodes.domain.hi - nodes.parameters[i]) : nodes.parameters[i];
+    const double v =
+        pair.reversed ? nodes.domain.lo + (nodes.domain.hi - nodes.parameters[i]) : nodes.parameters[i];
     result.corners.push_back(result.correspondence.u_at(v));
   }
   return result;
@@ -110,10 +127,20 @@ std::vector<SectionPath> match_in_sequence(std::span<const Curve> sections, cons
   return paths;
 }
 
-SectionInStep put_in_step(const Curve& section, const SectionPath& path, const LawOptions& options) {
-  const Correspondence& c = path.correspondence;
-  Reparametrization law = law_of(path, options);
-  return {compose(second_curve(section, c, law), law.v), std::move(law)};
+SectionInStep put_in_step(const Curve& section, const SectionPath& path, const LawOptions& options,
+                          double corner_angle) {
+  std::vector<double> corners = path.corners;
+  const Correspondence c = with_points_at(path.correspondence, smooth_joints(section, corner_angle), corners);
+  Reparametrization law = law_of(path, c, std::move(corners), options);
+  const Curve second = second_curve(section, c, law);
+  if (options.order > 2) {
+    Curve even = with_even_speed(law.v, second, c.closed, corner_angle);
+    // Pins come first: where both cannot be, the speed may jump.
+    if (std::optional<Curve> through = meet_pins(even, pins_on(fit_path(c), path), c.closed)) {
+      law.v = *std::move(through);
+    }
+  }
+  return {compose(second, law.v), std::move(law)};
 }
 
 }  // namespace detail

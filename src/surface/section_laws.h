@@ -38,8 +38,9 @@ struct SectionInStep {
   Reparametrization law;
 };
 
+/// corner_angle: joints that turn by less are smooth, and the section in step has an even speed there.
 [[nodiscard]] SectionInStep put_in_step(const Curve& section, const SectionPath& path,
-                                        const LawOptions& options);
+                                        const LawOptions& options, double corner_angle);
 
 }  // namespace detail
 }  // namespace v0

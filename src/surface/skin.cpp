@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "surface/check_loft.h"
+#include "surface/even_speed.h"
 #include "surface/joint_matching.h"
 #include "surface/section_laws.h"
 #include "surface/skin_report.h"
@@ -67,9 +68,14 @@ class Chain {
   Chain(std::span<const Curve> given, std::vector<SectionPath> paths, const SkinOptions& options)
       : given_(given), paths_(std::move(paths)), options_(&options) {
     const Curve& first = given_.front();
-    set(0, {first, {identity(first.domain()), 0.0, false}});
+    // Its own parameter is everybody's, unless its speed jumps.
+    if (detail::smooth_joints(first, options.match.corner_angle).empty()) {
+      set(0, {first, {identity(first.domain()), 0.0, false}});
+    } else {
+      set(0, detail::put_in_step(first, paths_.front(), options.law, options.match.corner_angle));
+    }
     for (std::size_t k = 1; k < given_.size(); ++k) {
-      set(k, detail::put_in_step(given_[k], paths_[k], options.law));
+      set(k, detail::put_in_step(given_[k], paths_[k], options.law, options.match.corner_angle));
     }
     for (std::size_t k = 0; k < pairs(); ++k) costs_.push_back(cost_of(k));
   }
@@ -91,11 +97,11 @@ class Chain {
     std::vector<Curve> neighbours{sections_[k - 1]};
     if (k + 1 < given_.size() || ring()) neighbours.push_back(sections_[(k + 1) % given_.size()]);
     Chain tried = *this;
-    std::vector<SectionPath> found =
-        detail::match_between(given_[k], paths_[k], neighbours, options_->match);
+    std::vector<SectionPath> found = detail::match_between(given_[k], paths_[k], neighbours, options_->match);
     if (found.empty()) return false;
     tried.paths_[k] = std::move(found.front());
-    tried.set(k, detail::put_in_step(given_[k], tried.paths_[k], options_->law));
+    tried.set(k,
+              detail::put_in_step(given_[k], tried.paths_[k], options_->law, options_->match.corner_angle));
     tried.costs_[k - 1] = tried.cost_of(k - 1);
     if (k < pairs()) tried.costs_[k] = tried.cost_of(k);
     if (!is_better(tried.total(), total())) return false;
@@ -164,8 +170,8 @@ SkinReport report_on(const Chain& chain, const Loft& made, const SkinOptions& op
     SkinPair pair;
     pair.validity = check_validity(sections[k], sections[next], kind == nullptr ? NormKind::tangent : *kind);
     pair.cost = chain.costs()[k].cost;
-    pair.direction = chain.laws()[k].reversed == chain.laws()[next].reversed ? Direction::forward
-                                                                             : Direction::reversed;
+    pair.direction =
+        chain.laws()[k].reversed == chain.laws()[next].reversed ? Direction::forward : Direction::reversed;
     report.valid = report.valid && pair.validity.valid;
     report.pairs.push_back(pair);
   }

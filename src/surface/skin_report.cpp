@@ -88,7 +88,8 @@ double crease_angle(const Surface& surface, std::span<const Curve> sections,
   for (std::size_t j = 0; j < parameters.size(); ++j) {
     const double next = j + 1 < parameters.size() ? parameters[j + 1] : surface.domain(Along::v).hi;
     v.push_back(parameters[j]);
-    if (next > parameters[j]) v.insert(v.end(), {0.75 * parameters[j] + 0.25 * next, 0.5 * parameters[j] + 0.5 * next});
+    if (next > parameters[j])
+      v.insert(v.end(), {0.75 * parameters[j] + 0.25 * next, 0.5 * parameters[j] + 0.5 * next});
   }
   const Interval domain = surface.domain(Along::u);
   double worst = 0.0;

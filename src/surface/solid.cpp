@@ -194,8 +194,8 @@ void check(const SolidOptions& options) {
     throw InvalidArgument(fmt::format("the chord tolerance is {}, expected between 0 and 1", options.chord));
   }
   if (!(options.longest_edge > 0.0 && options.longest_edge <= 1.0 / 3.0)) {
-    throw InvalidArgument(
-        fmt::format("the longest edge is {} of a contour, expected above 0, at most 1/3", options.longest_edge));
+    throw InvalidArgument(fmt::format("the longest edge is {} of a contour, expected above 0, at most 1/3",
+                                      options.longest_edge));
   }
 }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <numbers>
@@ -30,7 +31,8 @@ Ridge ridge_at(const Surface& surface, double v) {
   for (int i = 0; i <= n; ++i) z.push_back(c.evaluate(c.domain().lo + c.domain().length() * i / n)[2]);
   Ridge ridge;
   ridge.height = *std::max_element(z.begin(), z.end());
-  for (int i = 1; i < n; ++i) ridge.peaks += z[i] > 1e-6 * ridge.height && z[i] > z[i - 1] && z[i] >= z[i + 1] ? 1 : 0;
+  for (int i = 1; i < n; ++i)
+    ridge.peaks += z[i] > 1e-6 * ridge.height && z[i] > z[i - 1] && z[i] >= z[i + 1] ? 1 : 0;
   return ridge;
 }
 
@@ -67,7 +69,8 @@ TEST(Skin, KeepsTheBellsOfFigure14) {
   const Bells naive = measure_bells(plain.surface, plain.parameters);
   std::printf("heights %.5f .. %.5f, %d peaks; by parameter %.3f, %d peaks; %zu x %zu, degree %d\n",
               bells.worst_ratio, bells.best_ratio, bells.most_peaks, naive.worst_ratio, naive.most_peaks,
-              skinned.surface.size(Along::u), skinned.surface.size(Along::v), skinned.surface.degree(Along::u));
+              skinned.surface.size(Along::u), skinned.surface.size(Along::v),
+              skinned.surface.degree(Along::u));
   std::printf("valid %d crease %g law %g interpolation %g cost %g\n", skinned.report.valid,
               skinned.report.crease_angle, skinned.report.law_deviation, skinned.report.interpolation_error,
               skinned.report.total_cost);
@@ -86,7 +89,8 @@ Curve blob(int k, double z) {
   for (int i = 0; i < n + 3; ++i) {
     const double turns = static_cast<double>((i + 7 * k) % n) / n;
     const double a = 2 * std::numbers::pi * (k % 2 == 0 ? turns : 1.0 - turns);
-    const double r = 2.0 + 0.4 * std::cos(3 * a + 0.1 * k) + 0.5 * std::exp(-8.0 * (1.0 - std::cos(a - 0.2 * k)));
+    const double r =
+        2.0 + 0.4 * std::cos(3 * a + 0.1 * k) + 0.5 * std::exp(-8.0 * (1.0 - std::cos(a - 0.2 * k)));
     points[static_cast<std::size_t>(i)][0] = r * std::cos(a);
     points[static_cast<std::size_t>(i)][1] = r * std::sin(a);
     points[static_cast<std::size_t>(i)][2] = z;
@@ -194,6 +198,64 @@ TEST(Skin, HasNoCreases) {
   }
 }
 
+// A rectangle with round corners as drawings have it: a cubic per side and per corner, G1, each over one unit
+// of the parameter, so that the speed jumps at every joint.
+Curve rounded(double width, double height, double radius, double turn, double z) {
+  const double k = radius * 0.5522847498;
+  const double w = 0.5 * width;
+  const double h = 0.5 * height;
+  std::vector<std::array<double, 2>> p = {{w, -h + radius}};
+  const auto to = [&](double x1, double y1, double x2, double y2, double x, double y) {
+    p.insert(p.end(), {{x1, y1}, {x2, y2}, {x, y}});
+  };
+  const auto line = [&](double x, double y) {
+    const auto [x0, y0] = p.back();
+    to((2 * x0 + x) / 3, (2 * y0 + y) / 3, (x0 + 2 * x) / 3, (y0 + 2 * y) / 3, x, y);
+  };
+  line(w, h - radius);
+  to(w, h - radius + k, w - radius + k, h, w - radius, h);
+  line(-w + radius, h);
+  to(-w + radius - k, h, -w, h - radius + k, -w, h - radius);
+  line(-w, -h + radius);
+  to(-w, -h + radius - k, -w + radius - k, -h, -w + radius, -h);
+  line(w - radius, -h);
+  to(w - radius + k, -h, w, -h + radius - k, w, -h + radius);
+  Points points(3, p.size());
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    points[i][0] = std::cos(turn) * p[i][0] - std::sin(turn) * p[i][1];
+    points[i][1] = std::sin(turn) * p[i][0] + std::cos(turn) * p[i][1];
+    points[i][2] = z;
+  }
+  std::vector<double> knots{0.0};
+  for (int i = 0; i <= 8; ++i) knots.insert(knots.end(), 3, i);
+  knots.push_back(8.0);
+  return Curve(3, knots, points);
+}
+
+TEST(Skin, EvensOutTheSpeedAtJoints) {
+  const std::vector<Curve> sections = {rounded(6, 3, 1, 0.0, 0), rounded(5, 4, 0.7, 0.35, 2),
+                                       rounded(4, 4, 1.5, 0.6, 4)};
+  const auto crease = [](const Surface& surface) {
+    double worst = 0.0;
+    for (const double u : surface.knots(Along::u)) {
+      if (!surface.domain(Along::u).contains(u)) continue;
+      for (double v = 0.0; v <= 1.0; v += 0.125) {
+        const Point a = surface.normal(u, v, {Side::left, Side::right});
+        worst = std::max(worst, distance(a, surface.normal(u, v, {Side::right, Side::right})));
+      }
+    }
+    return worst;
+  };
+  const SkinnedSurface skinned = skin(sections);
+  expect_interpolated(skinned, sections);
+  EXPECT_LE(crease(skinned.surface), 1e-6);
+  EXPECT_LE(skinned.report.crease_angle, 1e-6);
+  // What is at stake: matched, but with the jumps left in.
+  std::vector<Curve> jumping{sections.front()};
+  for (const Match& m : match_chain(sections)) jumping.push_back(m.curve);
+  EXPECT_GE(crease(loft(jumping).surface), 0.05);
+}
+
 TEST(Skin, ClosesARing) {
   const std::vector<Curve> sections = ring_of_blobs(5);
   const SkinnedSurface skinned = skin(sections, {.loft = {.closed = true}});
@@ -208,7 +270,8 @@ TEST(Skin, ClosesARing) {
     const Points end = skinned.surface.derivatives(at, 1.0, 2, {Side::right, Side::left});
     const Points start = skinned.surface.derivatives(at, 0.0, 2);
     for (const std::size_t row : {0, 1, 2, 5}) {
-      for (std::size_t c = 0; c < 3; ++c) EXPECT_NEAR(end[row][c], start[row][c], 1e-6 * skinned.surface.extent());
+      for (std::size_t c = 0; c < 3; ++c)
+        EXPECT_NEAR(end[row][c], start[row][c], 1e-6 * skinned.surface.extent());
     }
   }
 }
@@ -216,8 +279,11 @@ TEST(Skin, ClosesARing) {
 TEST(Skin, JointlyNeverCostsMore) {
   const auto compare = [](const char* name, const std::vector<Curve>& sections, bool ring) {
     const SkinnedSurface sequence =
-        skin(sections, {.matching = SkinMatching::sequence, .loft = {.closed = ring}});
-    const SkinnedSurface joint = skin(sections, {.matching = SkinMatching::joint, .loft = {.closed = ring}});
+        skin(sections,
+             {.match = {.samples = {64, 64}}, .matching = SkinMatching::sequence, .loft = {.closed = ring}});
+    const SkinnedSurface joint =
+        skin(sections,
+             {.match = {.samples = {64, 64}}, .matching = SkinMatching::joint, .loft = {.closed = ring}});
     std::printf("%s: in sequence %.5f, jointly %.5f in %d sweeps\n", name, sequence.report.total_cost,
                 joint.report.total_cost, joint.report.sweeps);
     EXPECT_LE(joint.report.total_cost, sequence.report.total_cost);
@@ -226,7 +292,7 @@ TEST(Skin, JointlyNeverCostsMore) {
     return joint.report.total_cost / sequence.report.total_cost;
   };
   // A chain has nothing to gain but what samples and fits have lost.
-  EXPECT_GE(compare("bells", cad_case("bells_5"), false), 0.98);
+  EXPECT_GE(compare("bells", cad_case("bells_5"), false), 0.95);
   compare("blobs", blobs(3), false);
   compare("ring", ring_of_blobs(5), true);
 }
@@ -241,7 +307,8 @@ TEST(Skin, GoesThroughPins) {
   const std::vector<Curve> sections = cad_case("bells_5");
   // Near the tops, but not at them.
   std::vector<double> pin;
-  for (const Curve& section : sections) pin.push_back(top_of(section) + 0.003 * static_cast<double>(pin.size()));
+  for (const Curve& section : sections)
+    pin.push_back(top_of(section) + 0.003 * static_cast<double>(pin.size()));
   const SkinnedSurface skinned = skin(sections, {.pins = {pin}});
   expect_interpolated(skinned, sections);
   for (std::size_t k = 0; k < sections.size(); ++k) {
@@ -273,7 +340,8 @@ TEST(Skin, ApproximatesWithFewerRows) {
 // A quarter of a circle as a rational quadratic whose middle weight is scaled.
 Curve arc(double radius, double z, double stretch) {
   const double w = std::sqrt(0.5) * stretch;
-  return Curve(2, {0, 0, 0, 1, 1, 1}, Points({{radius, 0, z}, {radius, radius, z}, {0, radius, z}}), {1, w, stretch * stretch});
+  return Curve(2, {0, 0, 0, 1, 1, 1}, Points({{radius, 0, z}, {radius, radius, z}, {0, radius, z}}),
+               {1, w, stretch * stretch});
 }
 
 TEST(Skin, TakesRationalSections) {
@@ -316,18 +384,25 @@ TEST(Skin, RefusesWhatIsNoChain) {
   const std::vector<Curve> bells = cad_case("bells_5");
   EXPECT_EQ(message({}), "0 sections, expected at least 2");
   EXPECT_EQ(message({bells[0]}), "1 section, expected at least 2");
-  EXPECT_EQ(message({bells[0], bells[1]}, {.loft = {.closed = true}}), "2 sections, expected at least 3 for a closed loft");
-  EXPECT_EQ(message({bells[0], blob(0, 5)}), "section 1 is closed, section 0 is open; expected all open or all closed");
+  EXPECT_EQ(message({bells[0], bells[1]}, {.loft = {.closed = true}}),
+            "2 sections, expected at least 3 for a closed loft");
+  EXPECT_EQ(message({bells[0], blob(0, 5)}),
+            "section 1 is closed, section 0 is open; expected all open or all closed");
   EXPECT_EQ(message({bells[0], Curve(1, {0, 0, 1, 1}, Points({{0, 0}, {1, 0}}))}),
             "section 1 has dimension 2, section 0 has 3; expected the same");
-  EXPECT_EQ(message({bells[0], bells[0], bells[1]}), "sections 0 and 1 coincide, expected distinct neighbours");
+  EXPECT_EQ(message({bells[0], bells[0], bells[1]}),
+            "sections 0 and 1 coincide, expected distinct neighbours");
   // The same outline, though it starts elsewhere and has other knots.
   const Curve moved = insert_knot(move_seam(blob(0, 0), 12.3), 14.0);
-  EXPECT_EQ(message({blob(1, 1), blob(0, 0), moved}), "sections 1 and 2 coincide, expected distinct neighbours");
-  EXPECT_EQ(message(bells, {.loft = {.degree = 26}}), "the degree across the sections is 26, expected 1 .. 25");
+  EXPECT_EQ(message({blob(1, 1), blob(0, 0), moved}),
+            "sections 1 and 2 coincide, expected distinct neighbours");
+  EXPECT_EQ(message(bells, {.loft = {.degree = 26}}),
+            "the degree across the sections is 26, expected 1 .. 25");
   EXPECT_EQ(message(bells, {.loft = {.rows = 6}}), "6 rows for 5 sections and degree 3, expected 4 .. 5");
-  EXPECT_EQ(message(bells, {.pins = {{0.1, 0.2}}}), "pin 0 has 2 parameters for 5 sections, expected one each");
-  EXPECT_NE(message(bells, {.pins = {{0.1, 0.2, 7.0, 0.2, 0.1}}}).find("sections 1 and 2: "), std::string::npos);
+  EXPECT_EQ(message(bells, {.pins = {{0.1, 0.2}}}),
+            "pin 0 has 2 parameters for 5 sections, expected one each");
+  EXPECT_NE(message(bells, {.pins = {{0.1, 0.2, 7.0, 0.2, 0.1}}}).find("sections 1 and 2: "),
+            std::string::npos);
 }
 
 TEST(Skin, PutsLettersInStep) {

@@ -1,0 +1,71 @@
+# tandem skin: surfaces through curves, and solids through contours.
+source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
+
+bells=$(dirname "${BASH_SOURCE[0]}")/../../examples/data/bells.json
+
+# One line {"points": ...} of a square of the given size at height z.
+square_at() {
+  local h=$1 z=$2 s=${3:-}
+  printf '{"type": "bspline", "degree": 1, "points": [[-%s,-%s,%s],[%s,-%s,%s],[%s,%s,%s],[-%s,%s,%s],[-%s,-%s,%s]]}\n' \
+    "$h" "$h" "$z" "$h" "$h" "$z" "$h" "$h" "$z" "$h" "$h" "$z" "$h" "$h" "$z" >"square$s.json"
+}
+
+# The surface goes through all sections of a file, and says how well.
+expect 0 skin "$bells" -o bells.json --json
+err_empty
+out_has '"valid": true'
+out_has '"crease_angle": '
+that "the surface is one" grep -q '"type": "bspline_surface"' bells.json
+that "it holds its report" grep -q '"report": {' bells.json
+expect 0 skin "$bells#0" "$bells#1" "$bells#2" -o - --degree 2 --parameters centripetal
+out_has '"degree": \[6, *2\]'
+for ending in obj stl ply glb svg png html; do
+  expect 0 skin "$bells#0" "$bells#1" -o "out.$ending" --chord 0.01 --angle 0.5
+  that "out.$ending is written" test -s "out.$ending"
+done
+
+# Pins, rows, a ring, planar inputs stacked.
+expect 0 skin "$bells" -o - --rows 4
+expect 0 skin "$bells#0" "$bells#1" -o - --pin '2.5,0,0=6.5,2.5,0'
+expect 0 skin "$square" 'M0 0H5V4H0Z' 'M0 0H6V5H0Z' -o ring.json --spacing 2 --ring
+expect 0 skin "$square" "$triangle" -o planar.json --spacing -1
+expect 2 skin "$bells" -o - --pin '1,2,3=4,5,6'
+err_has '2 points for 5 sections'
+expect 2 skin "$bells" -o - --pin '1,2=1,2=1,2=1,2=1,2'
+err_has "'1,2' has 2 coordinates, expected 3"
+
+# Levels of contours to a solid.
+square_at 1 0 a
+square_at 1 3 b
+expect 0 skin --solid squarea.json squareb.json -o box.stl --json
+out_has '"volume": 1(2|2\.00000|1\.99999)[0-9]*,'
+out_has '"caps": 2'
+that "a binary STL of whole triangles" test $((($(stat -c %s box.stl) - 84) % 50)) = 0
+expect 0 skin --solid "$square" 'M0 0H1V4H0ZM3 0H4V4H3Z' -o legs.obj --spacing 2 --json
+out_has '"branches": 1'
+expect 3 skin --solid squarea.json squareb.json -o box.json
+err_has 'json'
+
+# What is no chain of sections.
+expect 3 skin "$bells#0" -o x.json
+err_has '1 section, expected at least 2'
+expect 3 skin "$bells#0" "$bells#0" -o x.json
+err_has 'sections 0 and 1 coincide'
+expect 3 skin "$bells#0" squarea.json -o x.json
+err_has 'section 1 is closed, section 0 is open'
+expect 3 skin "$bells#0" "$square" -o x.json
+err_has 'section 1 has dimension 2, section 0 has 3'
+expect 3 skin "$bells" -o x.json --spacing 1
+err_has 'planar'
+expect 3 skin "$bells" -o x.json --rows 9
+err_has '9 rows for 5 sections'
+expect 2 skin "$bells" -o x.json --degree 26
+expect 2 skin "$bells" -o x.json --reduce 9
+expect 2 skin "$bells" -o x.json --matching never
+expect 2 skin "$bells" -o x.json --solid --ring
+expect 2 skin -o x.json
+expect 2 skin "$bells"
+expect 2 skin "$bells" -o x.gif
+that "nothing was written" test ! -e x.json
+
+finish
