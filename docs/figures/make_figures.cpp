@@ -16,6 +16,7 @@
 #include <string>
 #include <vector>
 
+#include "certificate_figure.h"
 #include "segment_figures.h"
 #include "sheet.h"
 #include "tandem/io/files.h"
@@ -163,6 +164,7 @@ int main(int argc, char** argv) {
         {"front-page.svg", front_page()}, {"figure-5.svg", figure_5()},   {"figure-6.svg", figure_6()},
         {"figure-9.svg", figure_9()},     {"figure-12.svg", figure_12()}, {"turn.svg", turn()}};
     pictures.merge(figures::segment_figures());
+    pictures.emplace("certificates.svg", figures::certificate_figure());
     int differ = 0;
     for (const auto& [name, svg] : pictures) {
       const std::string path = fmt::format("{}/{}", folder, name);
