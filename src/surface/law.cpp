@@ -103,8 +103,8 @@ class PieceFit {
 
   [[nodiscard]] Spline fit(std::vector<double> breaks) const {
     const SlopeRange range{options_.min_slope, 1.0 / options_.min_slope};
-    detail::ScalarFit fitted = detail::fit_scalar_spline(
-        data_.x, data_.y, clamped_knots(breaks, degree_), degree_, piece_.y0, piece_.y1, range, ends_);
+    detail::ScalarFit fitted = detail::fit_scalar_spline(data_.x, data_.y, clamped_knots(breaks, degree_),
+                                                         degree_, piece_.y0, piece_.y1, range, ends_);
     return {std::move(breaks), std::move(fitted.coefficients), fitted.deviation};
   }
 
@@ -173,8 +173,8 @@ double seam_slope(const Data& data, const std::vector<Piece>& pieces, const LawO
 std::vector<Piece> pieces_between(const std::vector<ParameterPair>& corners, const Frame& frame) {
   std::vector<Piece> pieces;
   for (std::size_t i = 0; i + 1 < corners.size(); ++i) {
-    pieces.push_back({frame.x(corners[i].u), frame.x(corners[i + 1].u), frame.y(corners[i].v),
-                      frame.y(corners[i + 1].v)});
+    pieces.push_back(
+        {frame.x(corners[i].u), frame.x(corners[i + 1].u), frame.y(corners[i].v), frame.y(corners[i + 1].v)});
   }
   return pieces;
 }
@@ -211,9 +211,8 @@ class Joined {
 
 /// Is the seam of the loop one of the corners?
 bool seam_is_corner(const FitPath& path) {
-  return std::any_of(path.corner_parameters.begin(), path.corner_parameters.end(), [&](double u) {
-    return u <= path.points.front().u || u >= path.points.back().u;
-  });
+  return std::any_of(path.corner_parameters.begin(), path.corner_parameters.end(),
+                     [&](double u) { return u <= path.points.front().u || u >= path.points.back().u; });
 }
 
 Reparametrization fit_pieces(const FitPath& path, const LawOptions& options, bool loop, bool reversed) {

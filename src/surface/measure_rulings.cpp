@@ -152,9 +152,8 @@ Crease find_crease(const Surface& surface, std::span<const double> corners) {
   const Interval u_domain = surface.domain(Along::u);
   const Interval v_domain = surface.domain(Along::v);
   const auto is_corner = [&](double u) {
-    return std::any_of(corners.begin(), corners.end(), [&](double corner) {
-      return std::fabs(corner - u) <= kSameKnot * u_domain.length();
-    });
+    return std::any_of(corners.begin(), corners.end(),
+                       [&](double corner) { return std::fabs(corner - u) <= kSameKnot * u_domain.length(); });
   };
   const auto look = [&](double before, double after) {
     for (int j = 0; j < kRulings; ++j) {

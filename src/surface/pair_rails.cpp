@@ -60,8 +60,7 @@ class Pairing {
  public:
   Pairing(const Curve& a, const Curve& b, const RailOptions& options)
       : a_(a), b_(b), options_(options), match_(first_match()) {
-    path_ = fit_path(match_.correspondence,
-                     on_path(corner_parameters(match_), match_.correspondence));
+    path_ = fit_path(match_.correspondence, on_path(corner_parameters(match_), match_.correspondence));
   }
 
   PairedRails run() {
@@ -88,7 +87,8 @@ class Pairing {
 
   [[nodiscard]] Candidate candidate(const LawOptions& law) const {
     const Correspondence& c = match_.correspondence;
-    Reparametrization r = in_own_domain(smooth_law(path_, law, c.closed, c.reversed), c.domain_v, b_.domain());
+    Reparametrization r =
+        in_own_domain(smooth_law(path_, law, c.closed, c.reversed), c.domain_v, b_.domain());
     Curve curve = compose(second_curve(b_, c, r), r.v);
     const double defect = options_.defect(first(curve), curve);
     return {std::move(r), std::move(curve), defect};
@@ -96,8 +96,8 @@ class Pairing {
 
   /// The first rail, as long as the second one leaves it.
   [[nodiscard]] Curve first(const Curve& second) const {
-    const bool was_cut = a_.is_closed() && !match_.correspondence.closed &&
-                         !(match_.correspondence.domain_u == a_.domain());
+    const bool was_cut =
+        a_.is_closed() && !match_.correspondence.closed && !(match_.correspondence.domain_u == a_.domain());
     return was_cut ? move_seam(a_, second.domain().lo) : a_;
   }
 
@@ -107,8 +107,7 @@ class Pairing {
     const FitPath kept = path_;
     for (const RailNorm* norm : {&options_.refinement, &options_.flipped}) {
       if (!*norm) continue;
-      const FitPath previous = std::exchange(
-          path_, refine_path(a_, second, kept, *norm, {options_.strain}));
+      const FitPath previous = std::exchange(path_, refine_path(a_, second, kept, *norm, {options_.strain}));
       const Candidate after = candidate({2, kOnPath, options_.law.min_slope});
       if (after.defect < defect_) {
         defect_ = after.defect;

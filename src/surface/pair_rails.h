@@ -23,7 +23,7 @@ struct RailOptions {
   /// The norm of the refinement; `flipped` for the other sign of the signed test, where that makes sense.
   RailNorm refinement;
   RailNorm flipped;
-  double strain = 0.02;        ///< of the refinement
+  double strain = 0.02;  ///< of the refinement
   /// Does this second curve in step crease the surface more than it may? Corners of the rails do not count.
   std::function<bool(const Curve& second, std::span<const double> corners)> creases;
 };

@@ -42,7 +42,9 @@ UserNorm space_norm() {
   };
 }
 
-RailNorm space_rail_norm() { return space_value; }
+RailNorm space_rail_norm() {
+  return space_value;
+}
 
 RailNorm planar_rail_norm(double sigma) {
   return [sigma](const NormArguments& pair) {

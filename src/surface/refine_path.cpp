@@ -19,8 +19,9 @@ namespace {
 
 /// Places to either side of where the path was, per pass.
 constexpr int kPlaces = 8;
-/// The window of the first pass, in distances to the neighbours (the mean distance at least); then as a multiple of the
-/// distance of the places of the pass before. The last pass leaves them 1/700 of that distance apart.
+/// The window of the first pass, in distances to the neighbours (the mean distance at least); then as a
+/// multiple of the distance of the places of the pass before. The last pass leaves them 1/700 of that
+/// distance apart.
 constexpr double kFirstWindow = 3.0;
 constexpr double kNextWindow = 2.0;
 constexpr int kPasses = 5;

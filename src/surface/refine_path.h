@@ -14,9 +14,9 @@ struct RefineOptions {
 
 /// The path once more, on finer nodes beside it.
 ///
-/// A match pairs nodes, so its path is off by up to half their distance, and what needs exact pairing (tangents
-/// that are no more than perpendicular at one pair of points, rulings of a developable) is missed by that
-/// much. Here every node of the path, and one between each two, may slide along the second curve: a
+/// A match pairs nodes, so its path is off by up to half their distance, and what needs exact pairing
+/// (tangents that are no more than perpendicular at one pair of points, rulings of a developable) is missed
+/// by that much. Here every node of the path, and one between each two, may slide along the second curve: a
 /// programme over a few places per node, in windows that shrink, looks for the least of elastic cost and
 /// invalidity. Ends and corners stay.
 /// second: the curve that the path's v refers to, over all of its range.

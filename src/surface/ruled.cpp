@@ -41,8 +41,8 @@ constexpr int kComparisons = 64;
 
 void check(const Curve& a, const Curve& b, const RuleOptions& options) {
   if (a.dim() != b.dim()) {
-    throw InvalidArgument(fmt::format(
-        "the curves have different dimensions: the first has {}, the second {}", a.dim(), b.dim()));
+    throw InvalidArgument(fmt::format("the curves have different dimensions: the first has {}, the second {}",
+                                      a.dim(), b.dim()));
   }
   if (a.dim() < 2) throw InvalidArgument("the curves lie on a line (dimension 1): no surface between them");
   if (a.is_closed() != b.is_closed() && options.match.closed != ClosedMode::no) {
@@ -122,7 +122,8 @@ void refuse_coincident(const Curve& a, const Curve& b) {
   const Interval domain = a.domain();
   for (int i = 0; i <= kComparisons; ++i) {
     const double u = domain.lo + domain.length() * i / kComparisons;
-    if (detail::distance(a.evaluate(u), b.evaluate(u)) > kCoincident * std::max(a.extent(), b.extent())) return;
+    if (detail::distance(a.evaluate(u), b.evaluate(u)) > kCoincident * std::max(a.extent(), b.extent()))
+      return;
   }
   throw InvalidArgument("the two curves coincide: no surface between them");
 }
@@ -157,8 +158,7 @@ RuledSurface rule(const Curve& a, const Curve& b, const RuleOptions& options) {
   report.planar = plane.has_value();
   report.norm = norm_name(options, report.planar, paired.match.report);
   report.tangents = check_validity(rail_a, second);
-  report.validity =
-      report.planar ? check_validity(rail_a, second, NormKind::ruled) : report.tangents;
+  report.validity = report.planar ? check_validity(rail_a, second, NormKind::ruled) : report.tangents;
   paired.match.report.validity = report.validity;
   report.law = paired.law;
   report.rulings = detail::measure_rulings(rail_a, second);

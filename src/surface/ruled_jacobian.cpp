@@ -265,10 +265,13 @@ Rails make_rails(const Curve& a, const Curve& b) {
   }
   rails.closed = a.is_closed() && b.is_closed();
   if (rails.closed) {
-    if (!is_clamped(a) || !same(p.front(), p.back())) rails.a.weld(2, rational);
-    if (!is_clamped(b) || !same(q.front(), q.back())) rails.b.weld(2, rational);
-    if (rails.d && !(is_clamped(a) && same(p.front(), p.back()) && same(q.front(), q.back())))
-      rails.d->weld(2, false);
+    const auto last_break = [](const EnclosedSpline& spline) { return *(spline.breaks().end() - 2); };
+    const double from = std::max(last_break(rails.a), last_break(rails.b));
+    const bool sewn_a = is_clamped(a) && same(p.front(), p.back());
+    const bool sewn_b = is_clamped(b) && same(q.front(), q.back());
+    if (!sewn_a) rails.a.weld(2, rational, from);
+    if (!sewn_b) rails.b.weld(2, rational, from);
+    if (rails.d && !(sewn_a && sewn_b)) rails.d->weld(2, false, from);
   } else if (is_clamped(a) && is_clamped(b)) {
     rails.pole = {same(p.front(), q.front()), same(p.back(), q.back())};
   }
