@@ -58,15 +58,22 @@ void to_bezier(const double* knot, int degree, Interval part, std::size_t stride
 }  // namespace
 
 Frame frame_of(std::span<const Points* const> clouds) {
-  Frame frame;
   const auto first = clouds.front()->front();
-  frame.origin.assign(first.begin(), first.end());
+  Frame frame;
   double largest = 0.0;
-  for (const Points* cloud : clouds) {
-    for (std::size_t i = 0; i < cloud->size(); ++i) {
-      for (std::size_t c = 0; c < frame.origin.size(); ++c)
-        largest = std::max(largest, std::abs((*cloud)[i][c] - frame.origin[c]));
+  for (std::size_t c = 0; c < first.size(); ++c) {
+    double reach = 0.0;
+    double size = 0.0;
+    for (const Points* cloud : clouds) {
+      for (std::size_t i = 0; i < cloud->size(); ++i) {
+        reach = std::max(reach, std::abs((*cloud)[i][c] - first[c]));
+        size = std::max(size, std::abs((*cloud)[i][c]));
+      }
     }
+    // All then lie between half and twice the origin, and differences are exact (Sterbenz).
+    const bool far = std::abs(first[c]) > 2.0 * reach;
+    frame.origin.push_back(far ? first[c] : 0.0);
+    largest = std::max(largest, far ? reach : size);
   }
   if (largest > 0.0) frame.exponent = -std::ilogb(largest);
   return frame;

@@ -17,8 +17,9 @@ namespace detail {
 using Enclosures = std::vector<Enclosure>;
 
 /// Where and how large things are, so that the numbers of a proof are near 1 and lose little: points are
-/// moved by -origin, which is exact for points near each other, and scaled by 2^exponent, which is exact.
-/// Signs of Jacobians, and whether things meet, do not change.
+/// moved by -origin, where that is much larger than their distances, and scaled by 2^exponent. Both is exact
+/// (unless it ends among the subnormal numbers), so control points that are equal stay so. Signs of
+/// Jacobians, and whether things meet, do not change.
 struct Frame {
   Point origin;
   int exponent = 0;

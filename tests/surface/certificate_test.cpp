@@ -307,6 +307,11 @@ TEST(Certificate, TakesKnotsAndControlPointsThatCoincide) {
   ASSERT_TRUE(certificate.witness);
   EXPECT_EQ(certificate.witness->kind, WitnessKind::zero);
   EXPECT_DOUBLE_EQ(certificate.witness->places[0].u, 0.5);
+  // The same at an end, by a handle of length zero and with coordinates that are no round numbers.
+  const Curve handle = Curve::bezier(Points({{0.1, 0.3}, {0.1, 0.3}, {0.7, 0.2}, {1.3, 0.7}}));
+  const Certificate of_handle = certify(handle, Curve::bezier(Points({{-0.1, 1.1}, {0.3, 1.7}, {1.1, 1.3}})));
+  EXPECT_EQ(of_handle.regular, Verdict::violated);
+  EXPECT_EQ(of_handle.one_to_one, Verdict::certified);
   // A cusp that is no corner: there and back.
   const Curve cusp = Curve::bezier(Points({{0, 0}, {3, 0.5}, {0, 0.5}, {3, 0}}));
   EXPECT_NE(certify(cusp, Curve::bezier(Points({{0, 1}, {1, 1}, {2, 1}, {3, 1}}))).verdict,
