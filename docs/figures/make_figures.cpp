@@ -18,6 +18,7 @@
 
 #include "morph_figures.h"
 #include "ruled_figures.h"
+#include "certificate_figure.h"
 #include "segment_figures.h"
 #include "sheet.h"
 #include "skin_figures.h"
@@ -199,6 +200,7 @@ int main(int argc, char** argv) {
     pictures.merge(figures::morph_figures());
     pictures.merge(figures::ruled_figures());
     pictures.merge(figures::skin_figures());
+    pictures.emplace("certificates.svg", figures::certificate_figure());
     int differ = 0;
     for (const auto& [name, svg] : pictures) {
       const std::string path = fmt::format("{}/{}", folder, name);

@@ -13,7 +13,7 @@ namespace {
 
 // Pairs of arcs looked at. Ordinary boundaries take some ten times the number of their pieces; curves that
 // touch, or nearly so, take as many as they are given.
-constexpr int kMostPairs = 100000;
+constexpr int kMostPairs = 40000;
 // Crossings that are tried to prove: ones that fail are places where edges touch.
 constexpr int kMostCrossings = 200;
 // Halvings below the pieces of the edges.

@@ -53,10 +53,12 @@ PointAndSpeed evaluate(const BoundaryArc& piece, double t) {
   return result;
 }
 
-// Newton's iteration for a(s) = b(t); false if it runs away.
+// Newton's iteration for a(s) = b(t); false if it runs away or does not settle.
 bool meet(const BoundaryArc& a, const BoundaryArc& b, double& s, double& t) {
-  constexpr int kSteps = 12;  // doubling the digits each, from a fraction of the piece
+  constexpr int kSteps = 12;         // doubling the digits each, from a fraction of the piece
+  constexpr double kSettled = 1e-8;  // of the piece: the next step leaves what rounding leaves
   s = t = 0.5;
+  double last = 1.0;
   for (int step = 0; step < kSteps; ++step) {
     const PointAndSpeed x = evaluate(a, s);
     const PointAndSpeed y = evaluate(b, t);
@@ -64,11 +66,12 @@ bool meet(const BoundaryArc& a, const BoundaryArc& b, double& s, double& t) {
     const PlaneVector gap = minus(y.p, x.p);
     const double ds = cross(gap, y.d) / det;
     const double dt = cross(gap, x.d) / det;
-    if (!(std::abs(ds) < 4.0 && std::abs(dt) < 4.0)) return false;
+    last = std::max(std::abs(ds), std::abs(dt));
+    if (!(last < 4.0)) return false;
     s += ds;
     t += dt;
   }
-  return s > -0.5 && s < 1.5 && t > -0.5 && t < 1.5;
+  return last < kSettled && s > -0.5 && s < 1.5 && t > -0.5 && t < 1.5;
 }
 
 double parameter(const BoundaryArc& piece, double t) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -50,8 +51,10 @@ SurfacePlace place(const Parameters& at, int sign, const Derivatives& derivative
   if (sign == 0 || !plane) return result;
   const auto [x, y] = *plane;
   const double value = rows[1][x] * rows[2][y] - rows[1][y] * rows[2][x];
-  const double least = std::numeric_limits<double>::denorm_min();
-  result.jacobian = sign > 0 ? std::max(value, least) : std::min(value, -least);
+  // The sign was proved; the value may be too large for a double, or too small.
+  const double size = std::isnan(value) ? std::numeric_limits<double>::max() : sign * value;
+  result.jacobian =
+      sign * std::clamp(size, std::numeric_limits<double>::denorm_min(), std::numeric_limits<double>::max());
   return result;
 }
 

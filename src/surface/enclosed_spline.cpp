@@ -58,15 +58,22 @@ void to_bezier(const double* knot, int degree, Interval part, std::size_t stride
 }  // namespace
 
 Frame frame_of(std::span<const Points* const> clouds) {
-  Frame frame;
   const auto first = clouds.front()->front();
-  frame.origin.assign(first.begin(), first.end());
+  Frame frame;
   double largest = 0.0;
-  for (const Points* cloud : clouds) {
-    for (std::size_t i = 0; i < cloud->size(); ++i) {
-      for (std::size_t c = 0; c < frame.origin.size(); ++c)
-        largest = std::max(largest, std::abs((*cloud)[i][c] - frame.origin[c]));
+  for (std::size_t c = 0; c < first.size(); ++c) {
+    double reach = 0.0;
+    double size = 0.0;
+    for (const Points* cloud : clouds) {
+      for (std::size_t i = 0; i < cloud->size(); ++i) {
+        reach = std::max(reach, std::abs((*cloud)[i][c] - first[c]));
+        size = std::max(size, std::abs((*cloud)[i][c]));
+      }
     }
+    // All then lie between half and twice the origin, and differences are exact (Sterbenz).
+    const bool far = std::abs(first[c]) > 2.0 * reach;
+    frame.origin.push_back(far ? first[c] : 0.0);
+    largest = std::max(largest, far ? reach : size);
   }
   if (largest > 0.0) frame.exponent = -std::ilogb(largest);
   return frame;
@@ -104,6 +111,7 @@ EnclosedSpline::EnclosedSpline(int degree, std::vector<double> knots, Enclosures
 std::vector<double> EnclosedSpline::breaks() const {
   const auto first = knots_.begin() + degree_;
   std::vector<double> result(first, knots_.begin() + static_cast<std::ptrdiff_t>(size()) + 1);
+  if (!gap_.empty()) result.insert(std::lower_bound(result.begin(), result.end(), gap_from_), gap_from_);
   result.erase(std::unique(result.begin(), result.end()), result.end());
   return result;
 }
@@ -121,7 +129,7 @@ Enclosures EnclosedSpline::bezier(Interval part) const {
                      static_cast<std::ptrdiff_t>((span - static_cast<std::size_t>(degree_)) * stride_);
   Enclosures d(first, first + static_cast<std::ptrdiff_t>((static_cast<std::size_t>(degree_) + 1) * stride_));
   to_bezier(knots_.data() + span, degree_, part, stride_, d);
-  widen_end(part, d);
+  if (!gap_.empty()) add_gap(gap_shares(part), d);
   return d;
 }
 
@@ -143,11 +151,16 @@ Enclosures EnclosedSpline::hodograph(Interval part) const {
     }
   }
   if (degree_ > 1) to_bezier(knot, degree_ - 1, part, stride_, d);
-  widen_end(part, d);
+  if (!gap_.empty()) {
+    const Enclosures shares = gap_shares(part);
+    Enclosures steps(shares.size() - 1);
+    for (std::size_t i = 0; i < steps.size(); ++i) steps[i] = shares[i + 1] - shares[i];
+    add_gap(steps, d);
+  }
   return d;
 }
 
-void EnclosedSpline::weld(std::size_t dim, bool rational) {
+void EnclosedSpline::weld(std::size_t dim, bool rational, double from) {
   const std::vector<double> knots = breaks();
   const Enclosures first = bezier({knots[0], knots[1]});
   const Enclosures last = bezier({knots[knots.size() - 2], knots.back()});
@@ -162,14 +175,30 @@ void EnclosedSpline::weld(std::size_t dim, bool rational) {
     gap[i] = hull(0.0, there - end[i]);
   }
   gap_ = std::move(gap);
+  gap_from_ = from;
 }
 
-// The last coefficient of a piece and the last of its hodograph (which is a difference of the piece's) move
-// by the same.
-void EnclosedSpline::widen_end(Interval part, Enclosures& coefficients) const {
-  if (gap_.empty() || part.hi < domain().hi) return;
-  Enclosure* end = coefficients.data() + coefficients.size() - stride_;
-  for (std::size_t c = 0; c < stride_; ++c) end[c] += gap_[c];
+// Of x^degree over the part: the blossom of x, lo (degree - i) times and hi i times.
+Enclosures EnclosedSpline::gap_shares(Interval part) const {
+  Enclosures shares(static_cast<std::size_t>(degree_) + 1);
+  if (part.hi <= gap_from_) return shares;
+  const auto x = [&](double t) {
+    if (t == gap_from_ || t == domain().hi) return Enclosure(t == gap_from_ ? 0.0 : 1.0);
+    return (Enclosure(t) - gap_from_) / (Enclosure(domain().hi) - gap_from_);
+  };
+  const Enclosure lo = x(part.lo);
+  const Enclosure hi = x(part.hi);
+  for (std::size_t i = 0; i < shares.size(); ++i) {
+    shares[i] = 1.0;
+    for (std::size_t k = 0; k + 1 < shares.size(); ++k) shares[i] = shares[i] * (k < i ? hi : lo);
+  }
+  return shares;
+}
+
+void EnclosedSpline::add_gap(const Enclosures& shares, Enclosures& coefficients) const {
+  for (std::size_t i = 0; i < shares.size(); ++i) {
+    for (std::size_t c = 0; c < stride_; ++c) coefficients[i * stride_ + c] += shares[i] * gap_[c];
+  }
 }
 
 }  // namespace detail

@@ -17,8 +17,9 @@ namespace detail {
 using Enclosures = std::vector<Enclosure>;
 
 /// Where and how large things are, so that the numbers of a proof are near 1 and lose little: points are
-/// moved by -origin, which is exact for points near each other, and scaled by 2^exponent, which is exact.
-/// Signs of Jacobians, and whether things meet, do not change.
+/// moved by -origin, where that is much larger than their distances, and scaled by 2^exponent. Both is exact
+/// (unless it ends among the subnormal numbers), so control points that are equal stay so. Signs of
+/// Jacobians, and whether things meet, do not change.
 struct Frame {
   Point origin;
   int exponent = 0;
@@ -47,20 +48,20 @@ class EnclosedSpline {
   [[nodiscard]] Interval domain() const noexcept {
     return {knots_[static_cast<std::size_t>(degree_)], knots_[size()]};
   }
-  /// The distinct knots of the domain, its ends among them.
+  /// The distinct knots of the domain, its ends among them, and where a weld begins.
   [[nodiscard]] std::vector<double> breaks() const;
 
-  /// The degree + 1 Bezier coefficients of the part over [part.lo, part.hi], which must lie within one span.
+  /// The degree + 1 Bezier coefficients of the part over [part.lo, part.hi], with no break inside.
   [[nodiscard]] Enclosures bezier(Interval part) const;
   /// The `degree` Bezier coefficients of the derivative of that part, by the part's own parameter in [0,1],
   /// without the factor `degree`. Taken from differences of the spline's own coefficients, so that parts as
   /// short as rounding errors of the knots have derivatives as accurate as any.
   [[nodiscard]] Enclosures hodograph(Interval part) const;
 
-  /// Closes a spline whose ends differ by rounding errors: from now on it stands for all splines between this
-  /// one and the one whose last point is moved to where the first is. Coefficients are groups of dim numbers
-  /// and, if rational, their weight.
-  void weld(std::size_t dim, bool rational);
+  /// Closes a spline whose ends differ by rounding errors, by a gap g: from now on it stands for all splines
+  /// C(t) + s g x(t)^degree, 0 <= s <= 1, where x runs from 0 at `from` to 1 at the end, and `from`, in the
+  /// last span, is one of its breaks. Coefficients are groups of dim numbers and, if rational, their weight.
+  void weld(std::size_t dim, bool rational, double from);
 
   /// The spline whose coefficients are map(coefficient), where map, from Enclosures to Enclosures, is linear.
   template <class Map>
@@ -74,18 +75,22 @@ class EnclosedSpline {
     const std::size_t stride = all.size() / size();
     EnclosedSpline result(degree_, knots_, std::move(all), stride);
     if (!gap_.empty()) result.gap_ = map(gap_);
+    result.gap_from_ = gap_from_;
     return result;
   }
 
  private:
   [[nodiscard]] std::size_t span_of(Interval part) const;
-  void widen_end(Interval part, Enclosures& coefficients) const;
+  /// 0 or what is added to the coefficients of a piece of `degree` at the end, but for the factor g.
+  [[nodiscard]] Enclosures gap_shares(Interval part) const;
+  void add_gap(const Enclosures& shares, Enclosures& coefficients) const;
 
   int degree_;
   std::size_t stride_;
   std::vector<double> knots_;
   Enclosures coefficients_;
-  Enclosures gap_;  // from the end to the start, when welded
+  Enclosures gap_;  // when welded: between nothing and the way from the end to the start
+  double gap_from_ = 0.0;
 };
 
 }  // namespace detail

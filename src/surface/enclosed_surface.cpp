@@ -52,7 +52,7 @@ EnclosedSpline lines_along_u(const Surface& surface) {
       homogeneous(surface.control_points(), surface.weights(), surface.is_rational(), frame_of(cloud)),
       surface.size(Along::v) * group);
   if (surface.dim() == 2 && surface.is_closed(Along::u) && !is_closed_exactly(surface))
-    result.weld(static_cast<std::size_t>(surface.dim()), surface.is_rational());
+    result.weld(static_cast<std::size_t>(surface.dim()), surface.is_rational(), *(result.breaks().end() - 2));
   return result;
 }
 

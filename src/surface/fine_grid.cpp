@@ -82,8 +82,8 @@ class CellJudge {
       for (std::size_t j = 0; j <= inside_v_ + 1; ++j) {
         double least = INFINITY;
         for (const auto& t : triangles) {
-          least = std::min(least,
-                           distance_to_triangle(at(i, j), {corners[t[0]], corners[t[1]], corners[t[2]]}));
+          least =
+              std::min(least, distance_to_triangle(at(i, j), {corners[t[0]], corners[t[1]], corners[t[2]]}));
         }
         most = std::max(most, least);
       }
@@ -143,9 +143,9 @@ class CellJudge {
     if (planar && normals[0] + normals[1] + normals[2] + normals[3] != 4.0 * normals[0]) return true;
     for (const auto& t : triangles) {
       const Vector3 n = cross(corners[t[1]] - corners[t[0]], corners[t[2]] - corners[t[0]]);
-      const double longest = std::max({length(corners[t[1]] - corners[t[0]]),
-                                       length(corners[t[2]] - corners[t[1]]),
-                                       length(corners[t[0]] - corners[t[2]])});
+      const double longest =
+          std::max({length(corners[t[1]] - corners[t[0]]), length(corners[t[2]] - corners[t[1]]),
+                    length(corners[t[0]] - corners[t[2]])});
       const double twice_area = length(n);
       if (!(twice_area > chord_ * longest)) continue;
       for (const std::size_t k : t) {
@@ -166,8 +166,7 @@ class CellJudge {
 
 std::vector<double> first_lines(const Surface& surface, Along along) {
   const Interval domain = surface.domain(along);
-  const auto pieces =
-      (static_cast<std::size_t>(surface.degree(along)) + kSampledDegree - 1) / kSampledDegree;
+  const auto pieces = (static_cast<std::size_t>(surface.degree(along)) + kSampledDegree - 1) / kSampledDegree;
   std::vector<double> lines{domain.lo};
   for (const double knot : surface.knots(along)) {
     if (!(knot > lines.back()) || knot > domain.hi) continue;
@@ -220,8 +219,7 @@ ParameterGrid fine_grid(const ScaledSurface& surface, double chord, double angle
         if (fresh_u[i] == 0 && fresh_v[j] == 0) continue;
         // A finer line is coming through here anyway.
         if (split_u[i] != 0 && split_v[j] != 0) continue;
-        const Split split =
-            judge.judge({grid.u[i], grid.u[i + 1]}, {grid.v[j], grid.v[j + 1]}, angles);
+        const Split split = judge.judge({grid.u[i], grid.u[i + 1]}, {grid.v[j], grid.v[j + 1]}, angles);
         if (split.u) split_u[i] = 1;
         if (split.v) split_v[j] = 1;
       }

@@ -45,21 +45,29 @@ Enclosures determinant(const Vector& f, const Vector& g, const Vector& h) {
   return result;
 }
 
+// d = b - a over a part of a common span, of polynomial rails.
+Vector rulings(const Rails& rails, Interval part) {
+  if (rails.d) return components(rails.d->bezier(part), 2);
+  const Vector a = components(rails.a.bezier(part), 2);
+  const Vector b = components(rails.b.bezier(part), 2);
+  const auto degree = static_cast<std::size_t>(std::max(rails.a.degree(), rails.b.degree()));
+  Vector d;
+  for (std::size_t c = 0; c < 2; ++c) d.push_back(difference(elevated(b[c], degree), elevated(a[c], degree)));
+  return d;
+}
+
 // J_0 and J_1 over a part of a common span, up to positive factors.
 std::array<Enclosures, 2> jacobians(const Rails& rails, Interval part) {
   const std::size_t stride = rails.a.stride();
-  Vector a = components(rails.a.bezier(part), stride);
-  Vector b = components(rails.b.bezier(part), stride);
   const Vector da = components(rails.a.hodograph(part), stride);
   const Vector db = components(rails.b.hodograph(part), stride);
   std::array<Enclosures, 2> result;
   if (rails.rational) {
+    const Vector a = components(rails.a.bezier(part), stride);
+    const Vector b = components(rails.b.bezier(part), stride);
     result = {determinant(a, da, b), determinant(a, db, b)};
   } else {
-    Vector d;
-    const auto degree = static_cast<std::size_t>(std::max(rails.a.degree(), rails.b.degree()));
-    for (std::size_t c = 0; c < 2; ++c)
-      d.push_back(difference(elevated(std::move(b[c]), degree), elevated(std::move(a[c]), degree)));
+    const Vector d = rulings(rails, part);
     result = {cross(da, d), cross(db, d)};
   }
   const Interval domain = rails.a.domain();
@@ -246,13 +254,24 @@ Rails make_rails(const Curve& a, const Curve& b) {
                           homogeneous(curve.control_points(), curve.weights(), rational, frame),
                           rational ? 3 : 2);
   };
-  Rails rails{rail(a), rail(b), rational};
+  Rails rails{rail(a), rail(b), {}, rational};
   const Points& p = a.control_points();
   const Points& q = b.control_points();
+  if (!rational && a.knots() == b.knots() && a.degree() == b.degree()) {
+    Enclosures d(2 * p.size());
+    for (std::size_t i = 0; i < d.size(); ++i)
+      d[i] = scaled(Enclosure(q.data()[i]) - p.data()[i], frame.exponent);
+    rails.d = EnclosedSpline(a.degree(), a.knots(), std::move(d), 2);
+  }
   rails.closed = a.is_closed() && b.is_closed();
   if (rails.closed) {
-    if (!is_clamped(a) || !same(p.front(), p.back())) rails.a.weld(2, rational);
-    if (!is_clamped(b) || !same(q.front(), q.back())) rails.b.weld(2, rational);
+    const auto last_break = [](const EnclosedSpline& spline) { return *(spline.breaks().end() - 2); };
+    const double from = std::max(last_break(rails.a), last_break(rails.b));
+    const bool sewn_a = is_clamped(a) && same(p.front(), p.back());
+    const bool sewn_b = is_clamped(b) && same(q.front(), q.back());
+    if (!sewn_a) rails.a.weld(2, rational, from);
+    if (!sewn_b) rails.b.weld(2, rational, from);
+    if (rails.d && !(sewn_a && sewn_b)) rails.d->weld(2, false, from);
   } else if (is_clamped(a) && is_clamped(b)) {
     rails.pole = {same(p.front(), q.front()), same(p.back(), q.back())};
   }

@@ -17,6 +17,8 @@ namespace detail {
 struct Rails {
   EnclosedSpline a;
   EnclosedSpline b;
+  /// b - a, where it is a spline over the same knots: from the control points, which loses least.
+  std::optional<EnclosedSpline> d;
   bool rational = false;       ///< both with weights, as the third number
   std::array<bool, 2> pole{};  ///< the rails start, end, in the same point: exactly
   bool closed = false;         ///< both are closed

@@ -53,6 +53,13 @@ struct Corners {
     return *least >= 0 || *most <= 0;
   }
 
+  /// The other triangle, but for its first corner if that is shared, lies strictly on one side of the plane.
+  [[nodiscard]] bool has_beside(const Corners& other, std::size_t shared) const noexcept {
+    const int side = orientation(a, b, c, other.c);
+    return side != 0 && orientation(a, b, c, other.b) == side &&
+           (shared == 1 || orientation(a, b, c, other.a) == side);
+  }
+
   /// The segment pq meets the triangle.
   [[nodiscard]] bool meets(const SpacePoint& p, const SpacePoint& q) const noexcept {
     const int of_p = orientation(a, b, c, p);
@@ -93,6 +100,7 @@ bool do_meet(std::span<const SpacePoint> points, const Triangle& s, const Triang
   const auto q = [&](std::size_t i) -> const SpacePoint& { return points[g[i]]; };
   const Corners of_s{p(0), p(1), p(2)};
   const Corners of_t{q(0), q(1), q(2)};
+  if (shared < 2 && (of_s.has_beside(of_t, shared) || of_t.has_beside(of_s, shared))) return false;
   switch (shared) {
     case 0:  // An edge of one meets the other, or they are apart.
       for (std::size_t i = 0; i < 3; ++i) {

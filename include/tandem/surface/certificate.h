@@ -25,7 +25,7 @@ enum class Verdict {
 /// What disproves.
 enum class WitnessKind {
   sign_change,  ///< the Jacobian S_u x S_v is negative at one place and positive at the other (planar)
-  zero,         ///< S_u x S_v is zero at the place
+  zero,         ///< S_u x S_v is zero at the place; at a corner perhaps from one side only
   crossing,     ///< two places with the same point; planar: edges of the surface that cross
   triangles,    ///< two triangles of the tessellation that have a point in common
 };
