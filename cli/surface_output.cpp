@@ -20,7 +20,8 @@ namespace cli {
 namespace {
 
 constexpr int kLargestPicture = 8192;
-constexpr double kFinestChord = 1e-9;  // shares of the extent: below it vertices count in hundreds of millions
+constexpr double kFinestChord =
+    1e-9;  // shares of the extent: below it vertices count in hundreds of millions
 constexpr double kFinestAngle = 1e-3;  // radians
 constexpr double kCoarsestAngle = 1.57;
 

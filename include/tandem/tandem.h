@@ -38,5 +38,7 @@
 #include "tandem/shape/shape.h"
 #include "tandem/shape/transform.h"
 #include "tandem/surface/edit.h"
+#include "tandem/surface/mesh.h"
 #include "tandem/surface/surface.h"
+#include "tandem/surface/tessellate.h"
 #include "tandem/version.h"

@@ -106,14 +106,15 @@ class Tessellation {
     return std::any_of(others.begin(), others.end(), [&](double o) {
       const Side inside = o == others.back() ? Side::left : Side::right;
       const auto normal = [&](Side side) {
-        return along == Along::u ? scaled_.normal(t, o, {side, inside}) : scaled_.normal(o, t, {inside, side});
+        return along == Along::u ? scaled_.normal(t, o, {side, inside})
+                                 : scaled_.normal(o, t, {inside, side});
       };
       return length(normal(Side::left) - normal(Side::right)) > kCrease;
     });
   }
 
-  /// Which vertices are at one place: both sides of a crease, both ends of a closed parameter, and the ends of
-  /// edges that are a point.
+  /// Which vertices are at one place: both sides of a crease, both ends of a closed parameter, and the ends
+  /// of edges that are a point.
   void merge_places() {
     const std::size_t m = u_.size();
     const std::size_t n = v_.size();
@@ -123,8 +124,10 @@ class Tessellation {
         if (j + 1 < n && is_one_place({i, j}, {i, j + 1})) places_.merge(at(i, j), at(i, j + 1));
       }
     }
-    for (std::size_t j = 0; surface().is_closed(Along::u) && j < n; ++j) places_.merge(at(0, j), at(m - 1, j));
-    for (std::size_t i = 0; surface().is_closed(Along::v) && i < m; ++i) places_.merge(at(i, 0), at(i, n - 1));
+    for (std::size_t j = 0; surface().is_closed(Along::u) && j < n; ++j)
+      places_.merge(at(0, j), at(m - 1, j));
+    for (std::size_t i = 0; surface().is_closed(Along::v) && i < m; ++i)
+      places_.merge(at(i, 0), at(i, n - 1));
   }
 
   /// Of neighbours in the grid: the same parameters, or an edge that is a point. Its middle counts, too: a
@@ -152,8 +155,8 @@ class Tessellation {
   void make_cell(std::size_t i, std::size_t j) {
     const std::array<std::uint32_t, 4> c = {at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)};
     const Vector3 normal = normals_[c[0]] + normals_[c[1]] + normals_[c[2]] + normals_[c[3]];
-    const Vector3 middle = scaled_.point(u_[i].t + (u_[i + 1].t - u_[i].t) / 2.0,
-                                         v_[j].t + (v_[j + 1].t - v_[j].t) / 2.0);
+    const Vector3 middle =
+        scaled_.point(u_[i].t + (u_[i + 1].t - u_[i].t) / 2.0, v_[j].t + (v_[j + 1].t - v_[j].t) / 2.0);
     const auto triangles =
         split_cell({points_[c[0]], points_[c[1]], points_[c[2]], points_[c[3]]}, middle, normal);
     for (const auto& t : triangles) {
