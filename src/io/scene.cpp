@@ -138,7 +138,7 @@ bool folds(const TriangleMesh& mesh) {
 
 /// The same surface with so many knots that folds are seen where they are.
 Surface with_more_knots(const Surface& surface, Along along) {
-  constexpr int kLinesAcross = 160;
+  constexpr int kLinesAcross = 96;
   const Interval domain = surface.domain(along);
   const std::vector<double>& old = surface.knots(along);
   std::vector<double> knots;
