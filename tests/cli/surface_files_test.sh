@@ -64,9 +64,18 @@ err_has 'is a surface, expected curves'
 expect 1 convert patch.json -o missing/out.stl
 expect 1 convert missing.json -o out3.stl
 that "nothing is left of what failed" test ! -e never.stl -a ! -e out3.stl
-sed 's/\[2, 0, 0\]/[2e200, 0, 0]/' patch.json >huge.json
+cat >huge.json <<'S'
+{"type": "bspline_surface", "degree": [1, 1], "points": [[[0, 0, 0], [0, 3e200, 0]], [[2e200, 0, 0], [2e200, 3e200, 0]]]}
+S
 expect 3 convert huge.json -o huge.stl
 err_has '32 bits'
 expect 0 convert huge.json -o huge.ply
 that "no huge.stl" test ! -e huge.stl
+cat >line.json <<'S'
+{"type": "bspline_surface", "degree": [1, 1], "points": [[[0, 0, 0], [0, 0, 0]], [[1, 0, 0], [1, 0, 0]]]}
+S
+for ending in stl glb svg html; do
+  expect 3 convert line.json -o "line.$ending"
+  err_has 'no area'
+done
 finish
