@@ -40,8 +40,9 @@ void convert_shape(const Command& command, const tandem::Shape& shape) {
 
 Status run(const Command& command) {
   if (command.output.empty()) {
-    throw UsageError("convert needs -o OUT: of curves .json, .svg, .itd, or - for standard output; of surfaces " +
-                     surface_endings());
+    throw UsageError(
+        "convert needs -o OUT: of curves .json, .svg, .itd, or - for standard output; of surfaces " +
+        surface_endings());
   }
   // Which formats there are depends on what is read; one that neither has is refused before.
   static_cast<void>(output_format(command.output, command.to, all_formats()));
@@ -50,8 +51,7 @@ Status run(const Command& command) {
     convert_shape(command, *shape);
     return kDone;
   }
-  const SurfaceOutput output =
-      plan_surface_output(*command.app, command.output, command.to, command.surface);
+  const SurfaceOutput output = plan_surface_output(*command.app, command.output, command.to, command.surface);
   SurfaceContent content;
   content.surface = &std::get<tandem::Surface>(loaded);
   content.title = short_name(command.inputs.front());
@@ -65,10 +65,12 @@ void add_convert_command(CLI::App& program, Command& command) {
   command.app = program.add_subcommand("convert", "The same curves, or the same surface, in another format");
   command.app->add_option("shape", command.inputs, "A file, a part of a file, or path data");
   command.app
-      ->add_option("-o,--output", command.output,
-                   "Of curves .json, .svg, .itd; of a surface .json, .obj, .stl, .ply, .glb, .svg, .png, .html")
+      ->add_option(
+          "-o,--output", command.output,
+          "Of curves .json, .svg, .itd; of a surface .json, .obj, .stl, .ply, .glb, .svg, .png, .html")
       ->type_name("OUT");
-  command.app->add_option("--to", command.to, "json, svg, ...: whatever the ending of OUT")->type_name("FORMAT");
+  command.app->add_option("--to", command.to, "json, svg, ...: whatever the ending of OUT")
+      ->type_name("FORMAT");
   add_surface_flags(*command.app, command.surface);
   add_common_flags(*command.app, command.common);
   command.run = run;

@@ -16,9 +16,9 @@
 namespace cli {
 namespace {
 
+using tandem::Along;
 using tandem::Box;
 using tandem::Curve;
-using tandem::Along;
 using tandem::Shape;
 using tandem::Surface;
 
@@ -113,9 +113,7 @@ Box hull_box(const Surface& surface) {
 }
 
 std::string format_json(const std::string& name, const Surface& surface) {
-  const auto both = [&](auto value) {
-    return fmt::format("[{}, {}]", value(Along::u), value(Along::v));
-  };
+  const auto both = [&](auto value) { return fmt::format("[{}, {}]", value(Along::u), value(Along::v)); };
   const auto domain = [&](Along along) {
     const tandem::Interval d = surface.domain(along);
     return fmt::format("[{}, {}]", json_number(d.lo), json_number(d.hi));
@@ -126,7 +124,8 @@ std::string format_json(const std::string& name, const Surface& surface) {
       "\n",
       json_string(tandem::version()), json_string(name), both([&](Along a) { return surface.degree(a); }),
       surface.dim(), both([&](Along a) { return surface.size(a); }), both(domain),
-      both([&](Along a) { return surface.is_closed(a); }), surface.is_rational(), json_box(hull_box(surface)));
+      both([&](Along a) { return surface.is_closed(a); }), surface.is_rational(),
+      json_box(hull_box(surface)));
 }
 
 std::string format_text(const std::string& name, const Surface& surface) {
@@ -134,20 +133,23 @@ std::string format_text(const std::string& name, const Surface& surface) {
   std::string rows;
   for (const Along along : {Along::u, Along::v}) {
     const tandem::Interval domain = surface.domain(along);
-    rows += fmt::format("{:>5}  {:>6}  {:>6}  {:<14}  {}\n", along == Along::u ? "u" : "v",
-                        surface.degree(along), surface.size(along),
-                        fmt::format("[{:.6g}, {:.6g}]", domain.lo, domain.hi), yes_no(surface.is_closed(along)));
+    rows +=
+        fmt::format("{:>5}  {:>6}  {:>6}  {:<14}  {}\n", along == Along::u ? "u" : "v", surface.degree(along),
+                    surface.size(along), fmt::format("[{:.6g}, {:.6g}]", domain.lo, domain.hi),
+                    yes_no(surface.is_closed(along)));
   }
-  return fmt::format("{}\nsurface, dimension {}, {}, control points from {} to {}\n{:>5}  {:>6}  {:>6}  {:<14}  {}\n{}",
-                     name, surface.dim(), surface.is_rational() ? "rational" : "polynomial", text_point(box.lo),
-                     text_point(box.hi), "along", "degree", "points", "domain", "closed", rows);
+  return fmt::format(
+      "{}\nsurface, dimension {}, {}, control points from {} to {}\n{:>5}  {:>6}  {:>6}  {:<14}  {}\n{}",
+      name, surface.dim(), surface.is_rational() ? "rational" : "polynomial", text_point(box.lo),
+      text_point(box.hi), "along", "degree", "points", "domain", "closed", rows);
 }
 
 Status run(const Command& command) {
   const std::variant<Shape, Surface> loaded = load_any_input(command);
   const std::string& name = command.inputs.front();
   const std::string text = std::visit(
-      [&](const auto& it) { return command.common.json ? format_json(name, it) : format_text(name, it); }, loaded);
+      [&](const auto& it) { return command.common.json ? format_json(name, it) : format_text(name, it); },
+      loaded);
   write_output("-", text);
   return kDone;
 }

@@ -20,7 +20,8 @@ namespace cli {
 namespace {
 
 constexpr int kLargestPicture = 8192;
-constexpr double kFinestChord = 1e-9;  // shares of the extent: below it vertices count in hundreds of millions
+constexpr double kFinestChord =
+    1e-9;  // shares of the extent: below it vertices count in hundreds of millions
 constexpr double kFinestAngle = 1e-3;  // radians
 constexpr double kCoarsestAngle = 1.57;
 
@@ -32,7 +33,9 @@ tandem::TriangleMesh mesh_of(const SurfaceOutput& output, const SurfaceContent& 
   if (content.mesh != nullptr) return *content.mesh;
   tandem::TessellateOptions options = output.mesh;
   options.joints = shaded ? tandem::Joints::split : tandem::Joints::welded;
-  return tandem::tessellate(*content.surface, options);
+  tandem::TriangleMesh mesh = tandem::tessellate(*content.surface, options);
+  if (mesh.triangles.empty()) throw tandem::InvalidArgument("the surface has no area, it makes no triangles");
+  return mesh;
 }
 
 tandem::Scene scene(const SurfaceOutput& output, const SurfaceContent& content) {

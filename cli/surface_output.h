@@ -43,15 +43,15 @@ struct SurfaceOutput {
 
 /// What is written.
 struct SurfaceContent {
-  const tandem::Surface* surface = nullptr;   ///< may be missing where there is a mesh
+  const tandem::Surface* surface = nullptr;    ///< may be missing where there is a mesh
   const tandem::TriangleMesh* mesh = nullptr;  ///< instead of the tessellation; null: that
-  std::string members;                        ///< of the JSON object besides: `"report": {...}`; empty: none
-  std::vector<tandem::Curve> curves;          ///< drawn boldly in pictures
-  std::string title;                          ///< of the page
+  std::string members;                         ///< of the JSON object besides: `"report": {...}`; empty: none
+  std::vector<tandem::Curve> curves;           ///< drawn boldly in pictures
+  std::string title;                           ///< of the page
 };
 
-/// @throws tandem::IoError; Interrupted; tandem::InvalidArgument a format that has no place for it (JSON holds
-/// surfaces only)
+/// @throws tandem::IoError; Interrupted; tandem::InvalidArgument a format that has no place for it (JSON
+/// holds surfaces only)
 void write_surface(const SurfaceOutput& output, const SurfaceContent& content);
 
 }  // namespace cli

@@ -50,4 +50,5 @@
 #include "tandem/surface/solid.h"
 #include "tandem/surface/simple_mesh.h"
 #include "tandem/surface/surface.h"
+#include "tandem/surface/tessellate.h"
 #include "tandem/version.h"

@@ -41,8 +41,8 @@ std::array<double, 3> color(const Ramp& ramp, double light) {
   return result;
 }
 
-/// How bright a face is whose normal, turned to the viewer, is n: lamps above to the left and at the viewer, and a
-/// glint.
+/// How bright a face is whose normal, turned to the viewer, is n: lamps above to the left and at the viewer,
+/// and a glint.
 double light_of(Vector3 n, bool planar) {
   if (planar) return 0.72;
   if (n[2] < 0.0) n = -1.0 * n;
@@ -150,7 +150,8 @@ bool Faces::is_visible(const Vector3& pixel, double slack) const {
   const int y = static_cast<int>(std::floor(pixel[1] * factor_));
   for (int dy = -factor_; dy <= factor_; dy += factor_) {
     for (int dx = -factor_; dx <= factor_; dx += factor_) {
-      const bool inside = x + dx >= 0 && y + dy >= 0 && x + dx < width_ * factor_ && y + dy < height_ * factor_;
+      const bool inside =
+          x + dx >= 0 && y + dy >= 0 && x + dx < width_ * factor_ && y + dy < height_ * factor_;
       if (!inside || pixel[2] + slack >= static_cast<double>(depth_[sample(x + dx, y + dy)])) return true;
     }
   }
@@ -179,8 +180,9 @@ std::vector<std::uint8_t> Faces::colors() const {
         for (std::size_t i = 0; i < 3; ++i) sum[i] += c[i];
         covered += 1.0;
       }
-      std::uint8_t* out = result.data() + 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
-                                               static_cast<std::size_t>(x));
+      std::uint8_t* out =
+          result.data() +
+          4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x));
       for (std::size_t i = 0; covered > 0.0 && i < 3; ++i) {
         out[i] = static_cast<std::uint8_t>(std::lround(sum[i] / covered));
       }

@@ -21,11 +21,11 @@ class Faces {
   [[nodiscard]] int height() const noexcept { return height_; }
   /// Where a point of the camera falls: pixels from the left and from the top, and its depth unchanged.
   [[nodiscard]] Vector3 to_pixel(const Vector3& p) const noexcept;
-  /// Whether nothing nearer hides a point (in pixels), which may lie deeper by `slack`. Near the rim of a face,
-  /// within a pixel, everything is visible.
+  /// Whether nothing nearer hides a point (in pixels), which may lie deeper by `slack`. Near the rim of a
+  /// face, within a pixel, everything is visible.
   [[nodiscard]] bool is_visible(const Vector3& pixel, double slack) const;
-  /// Whether most of what is seen is seen from the side from which its triangles run counter-clockwise (planar
-  /// ones: with y up). If not, the picture takes the backs for fronts.
+  /// Whether most of what is seen is seen from the side from which its triangles run counter-clockwise
+  /// (planar ones: with y up). If not, the picture takes the backs for fronts.
   [[nodiscard]] bool shows_fronts() const;
   /// Red, green, blue, opacity of each pixel, row by row from the top; not premultiplied.
   [[nodiscard]] std::vector<std::uint8_t> colors() const;

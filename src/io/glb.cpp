@@ -67,8 +67,8 @@ void add_attribute(Parts& parts, std::string_view name, const Points& points, bo
   for (const double x : points.data()) detail::put_float(parts.bytes, x);
   end_view(parts, from, kVertexBuffer);
   parts.accessors += fmt::format(R"({}{{"bufferView":{},"componentType":{},"count":{},"type":"VEC{}"{}}})",
-                                 parts.count == 0 ? "" : ",", parts.count, kFloat, points.size(), points.dim(),
-                                 bounded ? bounds(points) : "");
+                                 parts.count == 0 ? "" : ",", parts.count, kFloat, points.size(),
+                                 points.dim(), bounded ? bounds(points) : "");
   parts.attributes += fmt::format(R"({}"{}":{})", parts.count == 0 ? "" : ",", name, parts.count);
   ++parts.count;
 }

@@ -252,7 +252,8 @@ Shape load_shape(const std::string& name, const LoadOptions& options) {
 Surface load_surface(const std::string& name) {
   std::variant<Shape, Surface> loaded = load_shape_or_surface(name);
   if (Surface* surface = std::get_if<Surface>(&loaded)) return std::move(*surface);
-  fail(name == "-" ? "standard input" : name, "holds curves, expected a surface (\"type\": \"bspline_surface\")");
+  fail(name == "-" ? "standard input" : name,
+       "holds curves, expected a surface (\"type\": \"bspline_surface\")");
 }
 
 }  // namespace v0

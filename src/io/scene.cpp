@@ -127,6 +127,28 @@ std::vector<Points> chain(const TriangleMesh& mesh, const std::vector<std::array
   return lines;
 }
 
+bool folds(const TriangleMesh& mesh) {
+  for (const auto& triangle : mesh.triangles) {
+    for (const std::uint32_t k : triangle) {
+      if (mesh.normals[k][2] * mesh.normals[mesh.triangles.front()[0]][2] < 0.0) return true;
+    }
+  }
+  return false;
+}
+
+/// The same surface with so many knots that folds are seen where they are.
+Surface with_more_knots(const Surface& surface, Along along) {
+  constexpr int kLinesAcross = 96;
+  const Interval domain = surface.domain(along);
+  const std::vector<double>& old = surface.knots(along);
+  std::vector<double> knots;
+  for (int i = 1; i < kLinesAcross; ++i) {
+    const double t = domain.lo + domain.length() * i / kLinesAcross;
+    if (!std::binary_search(old.begin(), old.end(), t)) knots.push_back(t);
+  }
+  return refine(surface, along, knots);
+}
+
 }  // namespace
 
 Scene scene_of(const Surface& surface, std::span<const Curve> curves, TessellateOptions options) {
@@ -134,6 +156,9 @@ Scene scene_of(const Surface& surface, std::span<const Curve> curves, Tessellate
   Scene scene;
   scene.mesh = tessellate(surface, options);
   scene.planar = surface.dim() == 2;
+  if (scene.planar && folds(scene.mesh)) {
+    scene.mesh = tessellate(with_more_knots(with_more_knots(surface, Along::u), Along::v), options);
+  }
   const double u = mean_length(surface, Along::u);
   const double v = mean_length(surface, Along::v);
   // As many along one as the other is long.

@@ -83,7 +83,8 @@ class SurfaceReader : private JsonFields {
         if (numbers.size() != dim) {
           fail(point, fmt::format("{} has {} coordinates, point (0, 0) has {}", name, numbers.size(), dim));
         }
-        for (std::size_t k = 0; k < dim; ++k) coordinates.push_back(number(numbers[k], name + ", coordinate", k));
+        for (std::size_t k = 0; k < dim; ++k)
+          coordinates.push_back(number(numbers[k], name + ", coordinate", k));
       }
     }
     return Points(static_cast<int>(dim), std::move(coordinates));

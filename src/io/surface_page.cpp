@@ -81,7 +81,8 @@ std::string scene_data(const Scene& scene) {
   const bool front = detail::Faces(scene, camera, kGlance).shows_fronts();
   const TriangleMesh mesh = with_normals(scene.mesh);
   return fmt::format(
-      "{{\"planar\":{},\"front\":{},\"azimuth\":{},\"elevation\":{},\n\"positions\":\"{}\",\n\"normals\":\"{}\",\n"
+      "{{\"planar\":{},\"front\":{},\"azimuth\":{},\"elevation\":{},\n\"positions\":\"{}\",\n\"normals\":\"{}"
+      "\",\n"
       "\"triangles\":\"{}\",\n\"iso\":\"{}\",\n\"edge\":\"{}\",\n\"curve\":\"{}\"}}",
       scene.planar, front ? 1 : -1, camera.azimuth(), camera.elevation(), vectors(scene, mesh.vertices, ball),
       vectors(scene, mesh.normals, {}), indices(mesh), polylines(scene, scene.iso_lines, ball),

@@ -280,7 +280,21 @@ function draw() {
   gl.enable(gl.POLYGON_OFFSET_FILL);
   gl.polygonOffset(1, 1);
   gl.bindVertexArray(surface);
-  gl.drawElements(gl.TRIANGLES, triangles.length, gl.UNSIGNED_INT, 0);
+  const drawFaces = () => gl.drawElements(gl.TRIANGLES, triangles.length, gl.UNSIGNED_INT, 0);
+  if (scene.planar) {
+    // All at one depth: the folds on top.
+    const most = scene.front * eye.elevation > 0;
+    gl.enable(gl.CULL_FACE);
+    gl.cullFace(most ? gl.BACK : gl.FRONT);
+    drawFaces();
+    gl.cullFace(most ? gl.FRONT : gl.BACK);
+    gl.disable(gl.DEPTH_TEST);
+    drawFaces();
+    gl.enable(gl.DEPTH_TEST);
+    gl.disable(gl.CULL_FACE);
+  } else {
+    drawFaces();
+  }
   gl.disable(gl.POLYGON_OFFSET_FILL);
   gl.useProgram(ribbons.made);
   gl.uniform2f(ribbons.names.size, width, height);
@@ -425,6 +439,20 @@ addEventListener("keydown", (event) => {
   event.preventDefault();
   request();
 });
+// At home the scene fills the stage, not the ball about it.
+function fill() {
+  const points = new Float32Array(bytes(scene.positions)), aspect = canvas.clientWidth / Math.max(canvas.clientHeight, 1);
+  const [view, projection] = matrices(aspect);
+  let most = 0;
+  for (let i = 0; i < points.length; i += 3) {
+    const row = (m, k, p) => m[k] * p[0] + m[4 + k] * p[1] + m[8 + k] * p[2] + m[12 + k];
+    const at = points.subarray(i, i + 3), p = [0, 1, 2].map((k) => row(view, k, at));
+    const w = row(projection, 3, p);
+    most = Math.max(most, Math.abs(row(projection, 0, p) / w), Math.abs(row(projection, 1, p) / w));
+  }
+  if (most > 0) home.zoom = eye.zoom = Math.min(Math.max(0.92 / most, 0.5), 4);
+}
+fill();
 if (scene.planar) byId("back").textContent = "Folds";
 new ResizeObserver(request).observe(canvas);
 matchMedia("(prefers-color-scheme: dark)").addEventListener("change", request);

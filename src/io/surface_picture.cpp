@@ -136,8 +136,9 @@ std::string format_scene_svg(const Scene& scene, int size) {
   for (std::size_t i = 0; i < drawing.layers.size(); ++i) {
     const Drawing::Layer& layer = drawing.layers[i];
     if (layer.lines.empty()) continue;
-    text += fmt::format("<path class=\"{}\" stroke-width=\"{}\" stroke-opacity=\"{}\" d=\"{}\"/>\n", kClasses[i],
-                        format_number(layer.width, 3), format_number(layer.opacity, 2), path_data(layer.lines));
+    text +=
+        fmt::format("<path class=\"{}\" stroke-width=\"{}\" stroke-opacity=\"{}\" d=\"{}\"/>\n", kClasses[i],
+                    format_number(layer.width, 3), format_number(layer.opacity, 2), path_data(layer.lines));
   }
   return text + "</g>\n</svg>\n";
 }

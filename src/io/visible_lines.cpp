@@ -10,9 +10,9 @@ inline namespace v0 {
 namespace detail {
 namespace {
 
-constexpr double kStep = 1.0;    // pixels between places where visibility is asked
-constexpr double kStraight = 0.1;  // pixels that a point may be off when it is left out
-constexpr double kShortest = 1.5;  // pixels; what flickers up for less is noise
+constexpr double kStep = 1.0;             // pixels between places where visibility is asked
+constexpr double kStraight = 0.1;         // pixels that a point may be off when it is left out
+constexpr double kShortest = 1.5;         // pixels; what flickers up for less is noise
 constexpr std::size_t kMostPoints = 300;  // of a part: FreeType strokes it, which makes several of each
 
 double distance(const std::array<double, 2>& a, const std::array<double, 2>& b) {

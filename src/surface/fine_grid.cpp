@@ -22,11 +22,23 @@ constexpr std::size_t kMostCellsForAngle = std::size_t{1} << 18U;
 constexpr double kSampled = 0.85;
 // Pieces of a span are sampled as if they were cubic at most: that high degrees count as several.
 constexpr std::size_t kSampledDegree = 3;
-constexpr std::size_t kMostInside = 3;
+// Inside a cell, along each parameter; whole spans, of which nothing is known yet, are looked at more
+// closely.
+constexpr std::size_t kInside = 3;
+constexpr std::size_t kInsideSpan = 7;
+// Triangles that are no higher than this share of the extent may lie askew: at cusps and folds all do.
+constexpr double kThin = 1e-3;
 
 struct Split {
   bool u = false;
   bool v = false;
+};
+
+/// Between two lines of the grid.
+struct GridInterval {
+  Interval interval;
+  bool is_span;  ///< as it was at first: nothing is known of it but its ends
+  bool fresh;    ///< since the last round
 };
 
 /// What a cell of the grid is judged by.
@@ -35,12 +47,15 @@ class CellJudge {
   CellJudge(const ScaledSurface& surface, double chord, double angle)
       : surface_(surface),
         chord_(kSampled * chord),
-        cosine_(std::cos(std::min(angle, 3.14))),
-        inside_u_(inside(Along::u)),
-        inside_v_(inside(Along::v)) {}
+        thin_(std::min(chord, kThin)),
+        cosine_(std::cos(std::min(angle, 3.14))) {}
 
   /// Along which parameters the cell must be split.
-  [[nodiscard]] Split judge(Interval u, Interval v, bool angles) {
+  [[nodiscard]] Split judge(const GridInterval& across_u, const GridInterval& across_v, bool angles) {
+    const Interval u = across_u.interval;
+    const Interval v = across_v.interval;
+    inside_u_ = inside(Along::u, across_u);
+    inside_v_ = inside(Along::v, across_v);
     sample(u, v);
     const CellCorners<Vector3> corners = {at(0, 0), at(inside_u_ + 1, 0), at(inside_u_ + 1, inside_v_ + 1),
                                           at(0, inside_v_ + 1)};
@@ -53,15 +68,19 @@ class CellJudge {
     };
     const Vector3 normal = normals[0] + normals[1] + normals[2] + normals[3];
     const CellTriangles triangles = split_cell(corners, middle, normal);
-    const double off = deviation(corners, triangles);
+    // The edges count by themselves: where a flat surface ends, its triangles would stand out beyond a
+    // hollow.
+    const double off = std::max({deviation(corners, triangles), edge_bend(Along::u), edge_bend(Along::v)});
     if (off > chord_) return choose(corners, off);
     if (angles && !agree(corners, normals, triangles)) return choose_for_angle(corners, normals);
     return {};
   }
 
  private:
-  [[nodiscard]] std::size_t inside(Along along) const {
-    return std::min(static_cast<std::size_t>(surface_.surface().degree(along)), kMostInside);
+  [[nodiscard]] std::size_t inside(Along along, const GridInterval& across) const {
+    const Surface& surface = surface_.surface();
+    const bool even = surface.degree(along) == 1 && !surface.is_rational();
+    return across.is_span && !even ? kInsideSpan : kInside;
   }
 
   [[nodiscard]] const Vector3& at(std::size_t i, std::size_t j) const { return samples_[i][j]; }
@@ -91,8 +110,8 @@ class CellJudge {
     return most;
   }
 
-  /// How far the curves along a parameter are from their chords.
-  [[nodiscard]] double bend(Along along) const {
+  /// How far the curves along a parameter are from their chords, of every step-th line.
+  [[nodiscard]] double bend(Along along, std::size_t step = 1) const {
     const bool by_u = along == Along::u;
     const std::size_t lines = by_u ? inside_v_ + 2 : inside_u_ + 2;
     const std::size_t inside = by_u ? inside_u_ : inside_v_;
@@ -100,7 +119,7 @@ class CellJudge {
       return by_u ? at(k, line) : at(line, k);
     };
     double most = 0.0;
-    for (std::size_t line = 0; line < lines; ++line) {
+    for (std::size_t line = 0; line < lines; line += step) {
       const Vector3& first = sample(line, 0);
       const Vector3& last = sample(line, inside + 1);
       for (std::size_t k = 1; k <= inside; ++k) {
@@ -108,6 +127,10 @@ class CellJudge {
       }
     }
     return most;
+  }
+
+  [[nodiscard]] double edge_bend(Along along) const {
+    return bend(along, along == Along::u ? inside_v_ + 1 : inside_u_ + 1);
   }
 
   /// The parameter along which the cell bends more; a twist has none, then the longer one.
@@ -147,7 +170,7 @@ class CellJudge {
           std::max({length(corners[t[1]] - corners[t[0]]), length(corners[t[2]] - corners[t[1]]),
                     length(corners[t[0]] - corners[t[2]])});
       const double twice_area = length(n);
-      if (!(twice_area > chord_ * longest)) continue;
+      if (!(twice_area > thin_ * longest)) continue;
       for (const std::size_t k : t) {
         const bool known = dot(normals[k], normals[k]) > 0.0;
         if (known && dot(n, normals[k]) < cosine_ * twice_area) return false;
@@ -158,79 +181,83 @@ class CellJudge {
 
   const ScaledSurface& surface_;
   double chord_;
+  double thin_;
   double cosine_;
-  std::size_t inside_u_;
-  std::size_t inside_v_;
-  std::array<std::array<Vector3, kMostInside + 2>, kMostInside + 2> samples_{};
+  std::size_t inside_u_ = 0;
+  std::size_t inside_v_ = 0;
+  std::array<std::array<Vector3, kInsideSpan + 2>, kInsideSpan + 2> samples_{};
 };
 
-std::vector<double> first_lines(const Surface& surface, Along along) {
+using Intervals = std::vector<GridInterval>;
+
+Intervals first_intervals(const Surface& surface, Along along) {
   const Interval domain = surface.domain(along);
   const auto pieces = (static_cast<std::size_t>(surface.degree(along)) + kSampledDegree - 1) / kSampledDegree;
-  std::vector<double> lines{domain.lo};
+  Intervals result;
+  double last = domain.lo;
   for (const double knot : surface.knots(along)) {
-    if (!(knot > lines.back()) || knot > domain.hi) continue;
-    const double from = lines.back();
-    for (std::size_t k = 1; k < pieces; ++k) {
-      const double t = from + (knot - from) * static_cast<double>(k) / static_cast<double>(pieces);
-      if (t > lines.back() && t < knot) lines.push_back(t);
+    if (!(knot > last) || knot > domain.hi) continue;
+    const double from = last;
+    for (std::size_t k = 1; k <= pieces; ++k) {
+      const double share = static_cast<double>(k) / static_cast<double>(pieces);
+      const double t = k == pieces ? knot : from + (knot - from) * share;
+      if (t > last) result.push_back({{last, t}, true, true});
+      last = std::max(last, t);
     }
-    lines.push_back(knot);
   }
-  return lines;
+  return result;
 }
 
-/// Lines with the intervals that are marked halved; fresh: the halves.
-struct Halved {
-  std::vector<double> lines;
-  std::vector<std::uint8_t> fresh;
-};
-
-Halved halve(const std::vector<double>& lines, const std::vector<std::uint8_t>& marked) {
-  Halved result;
-  for (std::size_t i = 0; i + 1 < lines.size(); ++i) {
-    result.lines.push_back(lines[i]);
-    const double middle = lines[i] + (lines[i + 1] - lines[i]) / 2.0;
-    const bool splits = marked[i] != 0 && middle > lines[i] && middle < lines[i + 1];
-    if (splits) result.lines.push_back(middle);
-    result.fresh.insert(result.fresh.end(), splits ? 2 : 1, splits ? 1 : 0);
+/// With the intervals that are marked halved, as far as numbers go.
+Intervals halve(const Intervals& intervals, const std::vector<std::uint8_t>& marked) {
+  Intervals result;
+  for (std::size_t i = 0; i < intervals.size(); ++i) {
+    const Interval whole = intervals[i].interval;
+    const double middle = whole.lo + whole.length() / 2.0;
+    if (marked[i] != 0 && middle > whole.lo && middle < whole.hi) {
+      result.push_back({{whole.lo, middle}, false, true});
+      result.push_back({{middle, whole.hi}, false, true});
+    } else {
+      result.push_back({whole, intervals[i].is_span, false});
+    }
   }
-  result.lines.push_back(lines.back());
   return result;
+}
+
+std::vector<double> lines_of(const Intervals& intervals) {
+  std::vector<double> lines{intervals.front().interval.lo};
+  for (const GridInterval& each : intervals) lines.push_back(each.interval.hi);
+  return lines;
 }
 
 }  // namespace
 
 ParameterGrid fine_grid(const ScaledSurface& surface, double chord, double angle) {
   CellJudge judge(surface, chord, angle);
-  ParameterGrid grid{first_lines(surface.surface(), Along::u), first_lines(surface.surface(), Along::v)};
-  std::vector<std::uint8_t> fresh_u(grid.u.size() - 1, 1);
-  std::vector<std::uint8_t> fresh_v(grid.v.size() - 1, 1);
+  Intervals u = first_intervals(surface.surface(), Along::u);
+  Intervals v = first_intervals(surface.surface(), Along::v);
   for (;;) {
-    if (grid.u.size() > kMostVertices / grid.v.size()) {
+    if (u.size() + 1 > kMostVertices / (v.size() + 1)) {
       throw InvalidArgument(fmt::format(
           "a chord distance of {} needs more than {} vertices, expected a larger one", chord, kMostVertices));
     }
-    const bool angles = grid.u.size() * grid.v.size() <= kMostCellsForAngle;
-    std::vector<std::uint8_t> split_u(fresh_u.size(), 0);
-    std::vector<std::uint8_t> split_v(fresh_v.size(), 0);
-    for (std::size_t i = 0; i < fresh_u.size(); ++i) {
-      for (std::size_t j = 0; j < fresh_v.size(); ++j) {
-        if (fresh_u[i] == 0 && fresh_v[j] == 0) continue;
-        // A finer line is coming through here anyway.
-        if (split_u[i] != 0 && split_v[j] != 0) continue;
-        const Split split = judge.judge({grid.u[i], grid.u[i + 1]}, {grid.v[j], grid.v[j + 1]}, angles);
+    const bool angles = u.size() * v.size() <= kMostCellsForAngle;
+    std::vector<std::uint8_t> split_u(u.size(), 0);
+    std::vector<std::uint8_t> split_v(v.size(), 0);
+    for (std::size_t i = 0; i < u.size(); ++i) {
+      for (std::size_t j = 0; j < v.size(); ++j) {
+        // Seen before, or about to be split anyway.
+        if ((!u[i].fresh && !v[j].fresh) || (split_u[i] != 0 && split_v[j] != 0)) continue;
+        const Split split = judge.judge(u[i], v[j], angles);
         if (split.u) split_u[i] = 1;
         if (split.v) split_v[j] = 1;
       }
     }
-    Halved u = halve(grid.u, split_u);
-    Halved v = halve(grid.v, split_v);
-    const bool done = u.lines.size() == grid.u.size() && v.lines.size() == grid.v.size();
-    if (done) return grid;
-    grid = {std::move(u.lines), std::move(v.lines)};
-    fresh_u = std::move(u.fresh);
-    fresh_v = std::move(v.fresh);
+    Intervals finer_u = halve(u, split_u);
+    Intervals finer_v = halve(v, split_v);
+    if (finer_u.size() == u.size() && finer_v.size() == v.size()) return {lines_of(u), lines_of(v)};
+    u = std::move(finer_u);
+    v = std::move(finer_v);
   }
 }
 

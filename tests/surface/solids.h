@@ -32,7 +32,8 @@ inline std::vector<double> quadratic_knots(int pieces) {
 }
 
 /// A profile (radius, height, weight) turned about the z axis; u runs round, v along the profile.
-inline Surface revolve(const std::vector<std::vector<double>>& profile, int degree, std::vector<double> knots) {
+inline Surface revolve(const std::vector<std::vector<double>>& profile, int degree,
+                       std::vector<double> knots) {
   const std::vector<std::vector<double>> round = circle();
   Points points(3, round.size() * profile.size());
   std::vector<double> weights;

@@ -12,8 +12,8 @@
 namespace tandem {
 inline namespace v0 {
 
-/// What a picture of a surface shows: triangles, and lines on them. All in space (3 x n), z up; planar ones in
-/// z = 0, y down, as in SVG.
+/// What a picture of a surface shows: triangles, and lines on them. All in space (3 x n), z up; planar ones
+/// in z = 0, y down, as in SVG.
 struct Scene {
   TriangleMesh mesh;
   std::vector<Points> iso_lines;  ///< thin: along u, and along v

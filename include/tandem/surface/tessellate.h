@@ -19,7 +19,8 @@ enum class Joints {
 struct TessellateOptions {
   double chord = 1e-3;  ///< largest distance of mesh and surface, as a share of the surface's extent; > 0
   /// Largest angle between a triangle and the surface at its corners, in radians; > 0. It is not asked of
-  /// triangles that are no higher than the chord distance, nor of grids of more than 2^18 cells.
+  /// triangles that are no higher than the chord distance, or than a thousandth of the extent, nor of grids
+  /// of more than 2^18 cells: cusps and folds never reach it.
   double angle = 0.15;
   Joints joints = Joints::welded;
 };
