@@ -7,6 +7,7 @@
 
 #include "match_flags.h"
 #include "rank_flags.h"
+#include "surface_output.h"
 
 namespace cli {
 
@@ -28,6 +29,7 @@ struct Command {
   CommonFlags common;
   MatchFlags match;
   RankFlags rank;
+  SurfaceFlags surface;
   std::string blend = "auto";
   std::string frames;
   std::string at;

@@ -40,7 +40,16 @@ constexpr std::array kEndings = {Ending{".lottie.json", "lottie", Format::lottie
                                  Ending{".tdx", "tdx", Format::index},
                                  Ending{".jsonl", "jsonl", Format::json_lines},
                                  Ending{".npy", "npy", Format::npy},
-                                 Ending{".csv", "csv", Format::csv}};
+                                 Ending{".csv", "csv", Format::csv},
+                                 Ending{".obj", "obj", Format::obj},
+                                 Ending{".stl", "stl", Format::stl},
+                                 Ending{".ply", "ply", Format::ply},
+                                 Ending{".glb", "glb", Format::glb},
+                                 Ending{".step", "step", Format::step},
+                                 Ending{".stp", "stp", Format::step},
+                                 Ending{".iges", "iges", Format::iges},
+                                 Ending{".igs", "igs", Format::iges},
+                                 Ending{".brep", "brep", Format::brep}};
 
 std::string list(const std::vector<Format>& allowed, std::string_view Ending::*part) {
   std::string text;

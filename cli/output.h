@@ -21,6 +21,13 @@ enum class Format {
   index,
   npy,
   csv,
+  obj,
+  stl,
+  ply,
+  glb,
+  step,
+  iges,
+  brep,
   directory
 };
 

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "io/json_curves.h"
+#include "io/json_fields.h"
 #include "io/json_value.h"
-#include "io/limits.h"
 #include "io/text_position.h"
 #include "tandem/error.h"
 #include "tandem/io/json.h"
@@ -25,10 +25,10 @@ namespace {
 /// it is the tolerance by which a Curve calls itself closed.
 constexpr double kMeetingEnds = 1e-9;
 
-class CurveReader {
+class CurveReader : private JsonFields {
  public:
   CurveReader(std::string_view text, const std::string& source, std::size_t index)
-      : text_(text), source_(source), index_(index) {}
+      : JsonFields(text, source, fmt::format("curve {}", index)) {}
 
   [[nodiscard]] Curve read(const JsonValue& value) const {
     if (value.object() == nullptr) fail(value, fmt::format("expected an object, found {}", value.kind()));
@@ -46,10 +46,6 @@ class CurveReader {
   }
 
  private:
-  [[noreturn]] void fail(const JsonValue& where, const std::string& message) const {
-    fail_at(source_, text_, where.offset, fmt::format("curve {}: {}", index_, message));
-  }
-
   /// Curves of other programs name no type, but a degree.
   [[nodiscard]] std::string read_type(const JsonValue& value) const {
     const JsonValue* type = value.member("type");
@@ -62,36 +58,6 @@ class CurveReader {
     return *type->text();
   }
 
-  [[nodiscard]] const JsonValue& required(const JsonValue& value, std::string_view key) const {
-    if (const JsonValue* member = value.member(key)) return *member;
-    fail(value, fmt::format("\"{}\" is missing", key));
-  }
-
-  [[nodiscard]] const JsonValue::Array& array(const JsonValue& value, std::string_view name) const {
-    if (const JsonValue::Array* items = value.array()) return *items;
-    fail(value, fmt::format("{}: expected an array, found {}", name, value.kind()));
-  }
-
-  [[nodiscard]] double number(const JsonValue& value, std::string_view name, std::size_t i) const {
-    const double* number = value.number();
-    if (number == nullptr)
-      fail(value, fmt::format("{} {}: expected a number, found {}", name, i, value.kind()));
-    if (std::fabs(*number) > kLargestCoordinate) {
-      fail(value, fmt::format("{} {} is {}, beyond the largest number taken, {}", name, i, *number,
-                              kLargestCoordinate));
-    }
-    return *number;
-  }
-
-  [[nodiscard]] std::vector<double> numbers(const JsonValue& value, std::string_view name,
-                                            std::string_view element) const {
-    const JsonValue::Array& items = array(value, name);
-    std::vector<double> result;
-    result.reserve(items.size());
-    for (std::size_t i = 0; i < items.size(); ++i) result.push_back(number(items[i], element, i));
-    return result;
-  }
-
   [[nodiscard]] bool flag(const JsonValue& value, std::string_view key) const {
     const JsonValue* member = value.member(key);
     if (member == nullptr) return false;
@@ -99,18 +65,6 @@ class CurveReader {
       fail(*member, fmt::format("\"{}\": expected true or false, found {}", key, member->kind()));
     }
     return *member->boolean();
-  }
-
-  [[nodiscard]] int degree(const JsonValue& value) const {
-    const JsonValue& member = required(value, "degree");
-    const double* degree = member.number();
-    if (degree == nullptr)
-      fail(member, fmt::format("\"degree\": expected a number, found {}", member.kind()));
-    if (!(*degree >= 1.0) || *degree > kLargestDegree || *degree != std::floor(*degree)) {
-      fail(member,
-           fmt::format("\"degree\" is {}, expected a whole number from 1 to {}", *degree, kLargestDegree));
-    }
-    return static_cast<int>(*degree);
   }
 
   /// Rows of one length; a bare number is a point of the line.
@@ -136,7 +90,7 @@ class CurveReader {
   }
 
   [[nodiscard]] Curve read_bspline(const JsonValue& value) const {
-    const int degree = this->degree(value);
+    const int degree = this->degree(required(value, "degree"), "\"degree\"");
     Points points = this->points(value);
     const bool periodic = flag(value, "periodic");
     std::vector<double> weights;
@@ -195,10 +149,6 @@ class CurveReader {
     const std::size_t last = points.size() - 1;
     for (std::size_t k = 0; k < static_cast<std::size_t>(points.dim()); ++k) points[last][k] = points[0][k];
   }
-
-  std::string_view text_;
-  const std::string& source_;
-  std::size_t index_;
 };
 
 }  // namespace

@@ -1,0 +1,110 @@
+#include "surface_output.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "tandem/error.h"
+#include "tandem/io/glb.h"
+#include "tandem/io/obj.h"
+#include "tandem/io/ply.h"
+#include "tandem/io/scene.h"
+#include "tandem/io/stl.h"
+#include "tandem/io/surface_json.h"
+#include "tandem/io/surface_page.h"
+#include "tandem/io/surface_picture.h"
+#include "usage_error.h"
+#include "values.h"
+
+namespace cli {
+namespace {
+
+constexpr int kLargestPicture = 8192;
+constexpr double kFinestChord = 1e-9;  // shares of the extent: below it vertices count in hundreds of millions
+constexpr double kFinestAngle = 1e-3;  // radians
+constexpr double kCoarsestAngle = 1.57;
+
+const std::vector<Format>& formats() {
+  static const std::vector<Format> all = {Format::json, Format::obj,  Format::stl, Format::ply,
+                                          Format::glb,  Format::svg,  Format::png, Format::html,
+                                          Format::step, Format::iges, Format::brep};
+  return all;
+}
+
+bool needs_cad(Format format) {
+  return format == Format::step || format == Format::iges || format == Format::brep;
+}
+
+tandem::TriangleMesh mesh_of(const SurfaceOutput& output, const SurfaceContent& content, bool shaded) {
+  if (content.mesh != nullptr) return *content.mesh;
+  tandem::TessellateOptions options = output.mesh;
+  options.joints = shaded ? tandem::Joints::split : tandem::Joints::welded;
+  return tandem::tessellate(*content.surface, options);
+}
+
+tandem::Scene scene(const SurfaceOutput& output, const SurfaceContent& content) {
+  if (content.mesh != nullptr) return tandem::scene_of(*content.mesh, content.curves);
+  return tandem::scene_of(*content.surface, content.curves, output.mesh);
+}
+
+std::string format(const SurfaceOutput& output, const SurfaceContent& content) {
+  switch (output.format) {
+    case Format::obj:
+      return tandem::format_obj(mesh_of(output, content, true));
+    case Format::stl:
+      return tandem::format_stl(mesh_of(output, content, false));
+    case Format::ply:
+      return tandem::format_ply(mesh_of(output, content, false));
+    case Format::glb:
+      return tandem::format_glb(mesh_of(output, content, true));
+    case Format::svg:
+      return tandem::format_scene_svg(scene(output, content), output.size);
+    case Format::png:
+      return tandem::format_scene_png(scene(output, content), output.size);
+    case Format::html:
+      return tandem::format_scene_page(scene(output, content), content.title);
+    default:
+      if (content.surface == nullptr) {
+        throw tandem::InvalidArgument(
+            "a mesh of triangles has no place in .json; there is .obj, .stl, .ply, .glb");
+      }
+      return tandem::format_json_surface(*content.surface, content.members);
+  }
+}
+
+}  // namespace
+
+void add_surface_flags(CLI::App& app, SurfaceFlags& flags) {
+  app.add_option("--chord", flags.chord,
+                 "Largest distance of triangles and surface, as a share of its extent (1e-3)")
+      ->type_name("X");
+  app.add_option("--angle", flags.angle, "Largest angle between triangles and surface, in radians (0.15)")
+      ->type_name("X");
+  app.add_option("--size", flags.size, "Longer side of .svg and .png, in pixels (1024)")->type_name("N");
+}
+
+std::string surface_endings() {
+  return ".json, .obj, .stl, .ply, .glb, .svg, .png, .html, or - for JSON on standard output";
+}
+
+SurfaceOutput plan_surface_output(const CLI::App& app, const std::string& path, const std::string& to,
+                                  const SurfaceFlags& flags) {
+  if (path.empty()) throw UsageError(fmt::format("{} needs -o OUT: {}", app.get_name(), surface_endings()));
+  SurfaceOutput output;
+  output.path = path;
+  output.format = output_format(path, to, formats());
+  output.mesh.chord = parse_number("--chord", flags.chord, kFinestChord, 1.0);
+  output.mesh.angle = parse_number("--angle", flags.angle, kFinestAngle, kCoarsestAngle);
+  output.size = parse_count("--size", flags.size, 1, kLargestPicture);
+  if (needs_cad(output.format)) {
+    throw tandem::InvalidArgument(fmt::format(
+        "{}: this program was built without the CAD component, which writes STEP, IGES and BREP", path));
+  }
+  return output;
+}
+
+void write_surface(const SurfaceOutput& output, const SurfaceContent& content) {
+  write_output(output.path, format(output, content));
+}
+
+}  // namespace cli

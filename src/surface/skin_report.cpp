@@ -1,0 +1,133 @@
+#include "surface/skin_report.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "curve/check_spline.h"
+#include "curve/evaluator.h"
+#include "curve/norm.h"
+#include "surface/surface_evaluator.h"
+#include "tandem/curve/knots.h"
+
+namespace tandem {
+inline namespace v0 {
+namespace detail {
+namespace {
+
+/// Places per section at which costs are summed: some four per node of a match.
+constexpr int kPlaces = 512;
+/// Places per section at which the interpolation is checked.
+constexpr int kProbes = 64;
+
+double at_place(const Interval& domain, int i, int places) {
+  return domain.lo + (i + 0.5) / places * domain.length();
+}
+
+double angle_between(std::span<const double> a, std::span<const double> b) {
+  double dot = 0.0;
+  Point gap(a.size());
+  for (std::size_t c = 0; c < a.size(); ++c) {
+    dot += a[c] * b[c];
+    gap[c] = a[c] - b[c];
+  }
+  // By the chord: the cosine knows no small angles.
+  const double chord = std::min(1.0, 0.5 * scaled_norm(gap));
+  return scaled_norm(a) == 0.0 || scaled_norm(b) == 0.0 ? 0.0 : 2.0 * std::asin(chord);
+}
+
+/// The turn of a section's tangent at u; `seam`: from the end of its domain to the start.
+double turn_at(const Curve& section, double u, bool seam) {
+  const double before = seam ? section.domain().hi : u;
+  Points rows[2] = {section.derivatives(before, 1, Side::left), section.derivatives(u, 1, Side::right)};
+  for (Points& row : rows) {
+    const double speed = scaled_norm(row[1]);
+    for (double& x : row[1]) x = speed > 0.0 ? x / speed : 0.0;
+  }
+  return angle_between(rows[0][1], rows[1][1]);
+}
+
+}  // namespace
+
+SectionLook look_at(const Curve& section) {
+  const auto dim = static_cast<std::size_t>(section.dim());
+  const Evaluator evaluator(section);
+  SectionLook look{Points(section.dim(), kPlaces), std::vector<double>(kPlaces)};
+  std::vector<double> rows(2 * dim);
+  double mean = 0.0;
+  for (std::size_t i = 0; i < kPlaces; ++i) {
+    evaluator.derivatives(at_place(section.domain(), static_cast<int>(i), kPlaces), 1, Side::right, rows);
+    const std::span<const double> d(rows.data() + dim, dim);
+    const double speed = scaled_norm(d);
+    for (std::size_t c = 0; c < dim && speed > 0.0; ++c) look.tangents[i][c] = d[c] / speed;
+    look.speeds[i] = speed;
+    mean += speed / kPlaces;
+  }
+  for (double& x : look.speeds) x /= mean;
+  return look;
+}
+
+PairCost cost_between(const SectionLook& a, const SectionLook& b, double lambda) {
+  PairCost sum;
+  for (std::size_t i = 0; i < kPlaces; ++i) {
+    const double speeds = a.speeds[i] + b.speeds[i];
+    if (!(speeds > 0.0)) continue;
+    double dot = 0.0;
+    for (std::size_t c = 0; c < a.tangents[i].size(); ++c) dot += a.tangents[i][c] * b.tangents[i][c];
+    const double difference = a.speeds[i] - b.speeds[i];
+    sum.cost += ((1.0 - dot) * 0.5 * speeds + lambda * difference * difference / speeds) / kPlaces;
+    if (!(dot > 0.0)) sum.invalid += 0.5 * speeds / kPlaces;
+  }
+  return sum;
+}
+
+double crease_angle(const Surface& surface, std::span<const Curve> sections,
+                    std::span<const double> parameters, double corner_angle) {
+  if (surface.dim() != 3) return 0.0;
+  std::vector<double> v;
+  for (std::size_t j = 0; j < parameters.size(); ++j) {
+    const double next = j + 1 < parameters.size() ? parameters[j + 1] : surface.domain(Along::v).hi;
+    v.push_back(parameters[j]);
+    if (next > parameters[j]) v.insert(v.end(), {0.75 * parameters[j] + 0.25 * next, 0.5 * parameters[j] + 0.5 * next});
+  }
+  const Interval domain = surface.domain(Along::u);
+  double worst = 0.0;
+  for (const Knot& knot : distinct_knots(surface.knots(Along::u))) {
+    const bool seam = knot.value == domain.lo && surface.is_closed(Along::u);
+    const bool inside = domain.lo < knot.value && knot.value < domain.hi;
+    if (!seam && !(inside && knot.multiplicity >= surface.degree(Along::u))) continue;
+    if (std::any_of(sections.begin(), sections.end(),
+                    [&](const Curve& c) { return turn_at(c, knot.value, seam) > corner_angle; })) {
+      continue;
+    }
+    for (const double at : v) {
+      const Point left = surface.normal(seam ? domain.hi : knot.value, at, {Side::left, Side::right});
+      const Point right = surface.normal(knot.value, at, {Side::right, Side::right});
+      worst = std::max(worst, angle_between(left, right));
+    }
+  }
+  return worst;
+}
+
+double interpolation_error(const Surface& surface, std::span<const Curve> sections,
+                           std::span<const double> parameters) {
+  const SurfaceEvaluator evaluator(surface);
+  Point gap(static_cast<std::size_t>(surface.dim()));
+  Point point(gap.size());
+  double worst = 0.0;
+  for (std::size_t j = 0; j < sections.size(); ++j) {
+    const Evaluator section(sections[j]);
+    for (int i = 0; i < kProbes; ++i) {
+      const double u = at_place(sections[j].domain(), i, kProbes);
+      section.point(u, point);
+      evaluator.point(u, parameters[j], gap);
+      for (std::size_t c = 0; c < gap.size(); ++c) gap[c] -= point[c];
+      worst = std::max(worst, scaled_norm(gap));
+    }
+  }
+  return worst / surface.extent();
+}
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace tandem

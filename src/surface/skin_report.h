@@ -1,0 +1,39 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "tandem/curve/curve.h"
+#include "tandem/match/norm.h"
+#include "tandem/surface/skin.h"
+
+namespace tandem {
+inline namespace v0 {
+namespace detail {
+
+/// What one section in step costs against another.
+struct PairCost {
+  double cost = 0.0;     ///< elastic, see SkinPair::cost
+  double invalid = 0.0;  ///< share of the mean length on which <T1,T2> <= 0
+};
+
+/// Unit tangents, and speeds relative to the mean speed, at places spread evenly over a section's parameter.
+struct SectionLook {
+  Points tangents;
+  std::vector<double> speeds;
+};
+
+[[nodiscard]] SectionLook look_at(const Curve& section);
+[[nodiscard]] PairCost cost_between(const SectionLook& a, const SectionLook& b, double lambda);
+
+/// See SkinReport::crease_angle. sections: in step, they tell where the shape itself has corners.
+[[nodiscard]] double crease_angle(const Surface& surface, std::span<const Curve> sections,
+                                  std::span<const double> parameters, double corner_angle);
+
+/// See SkinReport::interpolation_error.
+[[nodiscard]] double interpolation_error(const Surface& surface, std::span<const Curve> sections,
+                                         std::span<const double> parameters);
+
+}  // namespace detail
+}  // namespace v0
+}  // namespace tandem
