@@ -18,6 +18,7 @@
 #include "io/svg_reader.h"
 #include "io/text_position.h"
 #include "tandem/error.h"
+#include "tandem/io/cad.h"
 #include "tandem/io/csv.h"
 #include "tandem/io/files.h"
 #include "tandem/io/font.h"
@@ -182,9 +183,7 @@ Shape parse(std::string_view text, FileFormat format, const FilePart& name, cons
     case FileFormat::compressed:
       fail(name.path, "is compressed, expected plain text (gunzip it first)");
     case FileFormat::cad:
-      throw InvalidArgument(
-          fmt::format("{}: this program was built without the CAD component, which reads STEP, IGES and BREP",
-                      name.path));
+      return shape_of(read_cad_curves(name.path), name);
     case FileFormat::json_lines:
       return json_line_shape(text, name);
     case FileFormat::index:

@@ -11,7 +11,7 @@
 namespace tandem::test {
 
 /// A test with a directory of its own.
-class ScratchDirectory : public testing::Test {
+class ScratchDirectory : public ::testing::Test {
  protected:
   void SetUp() override {
     std::string name = (std::filesystem::temp_directory_path() / "tandem-test-XXXXXX").string();
