@@ -58,6 +58,7 @@ void add_convert_command(CLI::App& program, Command& command);
 void add_rule_command(CLI::App& program, Command& command);
 void add_blend_command(CLI::App& program, Command& command);
 void add_skin_command(CLI::App& program, Command& command);
+void add_loft_repair_command(CLI::App& program, Command& command);
 void add_rank_command(CLI::App& program, Command& command);
 void add_index_command(CLI::App& program, Command& command);
 

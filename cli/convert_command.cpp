@@ -1,3 +1,4 @@
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -6,6 +7,7 @@
 #include "names.h"
 #include "output.h"
 #include "surface_output.h"
+#include "tandem/io/cad.h"
 #include "tandem/io/itd.h"
 #include "tandem/io/json.h"
 #include "tandem/io/svg.h"
@@ -15,6 +17,8 @@ namespace cli {
 namespace {
 
 std::string format_shape(const tandem::Shape& shape, Format format) {
+  if (const std::optional<tandem::CadFormat> cad = cad_format_of(format))
+    return tandem::format_cad(*cad, shape.contours);
   switch (format) {
     case Format::svg:
       return tandem::format_svg(shape);
@@ -32,7 +36,9 @@ std::vector<Format> all_formats() {
 }
 
 void convert_shape(const Command& command, const tandem::Shape& shape) {
-  const Format format = output_format(command.output, command.to, {Format::json, Format::svg, Format::itd});
+  const Format format =
+      output_format(command.output, command.to,
+                    {Format::json, Format::svg, Format::itd, Format::step, Format::iges, Format::brep});
   std::string text = format_shape(shape, format);
   if (text.empty() || text.back() != '\n') text += '\n';
   write_output(command.output, text);
@@ -41,7 +47,8 @@ void convert_shape(const Command& command, const tandem::Shape& shape) {
 Status run(const Command& command) {
   if (command.output.empty()) {
     throw UsageError(
-        "convert needs -o OUT: of curves .json, .svg, .itd, or - for standard output; of surfaces " +
+        "convert needs -o OUT: of curves .json, .svg, .itd, .step, .iges, .brep, or - for standard output; "
+        "of surfaces " +
         surface_endings());
   }
   // Which formats there are depends on what is read; one that neither has is refused before.
@@ -67,7 +74,7 @@ void add_convert_command(CLI::App& program, Command& command) {
   command.app
       ->add_option(
           "-o,--output", command.output,
-          "Of curves .json, .svg, .itd; of a surface .json, .obj, .stl, .ply, .glb, .svg, .png, .html")
+          "Of curves .json, .svg, .itd, .step; of a surface .json, .obj, .stl, .ply, .glb, .svg, .png, .html")
       ->type_name("OUT");
   command.app->add_option("--to", command.to, "json, svg, ...: whatever the ending of OUT")
       ->type_name("FORMAT");

@@ -24,8 +24,7 @@ namespace {
 /// Commands and options of the interface that do not work yet: people shall be told so, not that they
 /// mistyped.
 constexpr std::array<std::string_view, 2> kLaterCommands = {"font", "loft-repair"};
-constexpr std::array<std::string_view, 5> kLaterOptions = {"--certify", "--mirror", "--linear", "--grid",
-                                                           "--axis"};
+constexpr std::array<std::string_view, 4> kLaterOptions = {"--mirror", "--linear", "--grid", "--axis"};
 
 template <std::size_t N>
 bool contains(const std::array<std::string_view, N>& words, std::string_view word) {
@@ -55,8 +54,9 @@ std::string with_suggestion(const std::string& text, std::string_view word,
     throw UsageError(with_suggestion("no option " + word, word, {"--help", "--version"}) +
                      "; options of a command stand behind it");
   }
-  throw UsageError(with_suggestion("no command " + word, word,
-                                   {"match", "morph", "align", "rule", "blend", "skin", "rank", "index", "info", "convert"}));
+  throw UsageError(with_suggestion(
+      "no command " + word, word,
+      {"match", "morph", "align", "rule", "blend", "skin", "rank", "index", "info", "convert"}));
 }
 
 /// Our structs hold text, where empty means "not given"; an empty value that was given is a mistake.
@@ -85,7 +85,7 @@ int run(int argc, char** argv) {
                    "tandem");
   add_usage(program);
   program.allow_extras();
-  std::array<Command, 10> commands;
+  std::array<Command, 11> commands;
   add_match_command(program, commands[0]);
   add_morph_command(program, commands[1]);
   add_info_command(program, commands[2]);
@@ -96,6 +96,7 @@ int run(int argc, char** argv) {
   add_skin_command(program, commands[7]);
   add_rule_command(program, commands[8]);
   add_blend_command(program, commands[9]);
+  add_loft_repair_command(program, commands[10]);
   for (Command& command : commands) command.app->allow_extras();
 
   try {

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "tandem/error.h"
+#include "tandem/io/cad.h"
 #include "tandem/io/glb.h"
 #include "tandem/io/obj.h"
 #include "tandem/io/ply.h"
@@ -25,8 +26,12 @@ constexpr double kFinestChord =
 constexpr double kFinestAngle = 1e-3;  // radians
 constexpr double kCoarsestAngle = 1.57;
 
-bool needs_cad(Format format) {
-  return format == Format::step || format == Format::iges || format == Format::brep;
+// Said before the work begins.
+void need_cad(const std::string& path) {
+  if (tandem::has_cad()) return;
+  throw tandem::InvalidArgument(fmt::format(
+      "{}: this program has no CAD component (libtandem_cad.so), which reads and writes STEP, IGES and BREP",
+      path));
 }
 
 tandem::TriangleMesh mesh_of(const SurfaceOutput& output, const SurfaceContent& content, bool shaded) {
@@ -44,6 +49,13 @@ tandem::Scene scene(const SurfaceOutput& output, const SurfaceContent& content) 
 }
 
 std::string format(const SurfaceOutput& output, const SurfaceContent& content) {
+  if (const std::optional<tandem::CadFormat> cad = cad_format_of(output.format)) {
+    if (content.surface == nullptr) {
+      throw tandem::InvalidArgument(
+          "a mesh of triangles has no place in STEP, IGES or BREP; there is .stl, .glb");
+    }
+    return tandem::format_cad(*cad, {}, {content.surface, 1});
+  }
   switch (output.format) {
     case Format::obj:
       return tandem::format_obj(mesh_of(output, content, true));
@@ -70,6 +82,19 @@ std::string format(const SurfaceOutput& output, const SurfaceContent& content) {
 
 }  // namespace
 
+std::optional<tandem::CadFormat> cad_format_of(Format format) {
+  switch (format) {
+    case Format::step:
+      return tandem::CadFormat::step;
+    case Format::iges:
+      return tandem::CadFormat::iges;
+    case Format::brep:
+      return tandem::CadFormat::brep;
+    default:
+      return std::nullopt;
+  }
+}
+
 const std::vector<Format>& surface_formats() {
   static const std::vector<Format> all = {Format::json, Format::obj,  Format::stl, Format::ply,
                                           Format::glb,  Format::svg,  Format::png, Format::html,
@@ -87,7 +112,8 @@ void add_surface_flags(CLI::App& app, SurfaceFlags& flags) {
 }
 
 std::string surface_endings() {
-  return ".json, .obj, .stl, .ply, .glb, .svg, .png, .html, or - for JSON on standard output";
+  return ".json, .obj, .stl, .ply, .glb, .svg, .png, .html, .step, .iges, .brep, or - for JSON on standard "
+         "output";
 }
 
 SurfaceOutput plan_surface_output(const CLI::App& app, const std::string& path, const std::string& to,
@@ -99,10 +125,7 @@ SurfaceOutput plan_surface_output(const CLI::App& app, const std::string& path, 
   output.mesh.chord = parse_number("--chord", flags.chord, kFinestChord, 1.0);
   output.mesh.angle = parse_number("--angle", flags.angle, kFinestAngle, kCoarsestAngle);
   output.size = parse_count("--size", flags.size, 1, kLargestPicture);
-  if (needs_cad(output.format)) {
-    throw tandem::InvalidArgument(fmt::format(
-        "{}: this program was built without the CAD component, which writes STEP, IGES and BREP", path));
-  }
+  if (cad_format_of(output.format)) need_cad(path);
   return output;
 }
 

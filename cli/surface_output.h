@@ -1,11 +1,13 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "output.h"
 #include "tandem/curve/curve.h"
+#include "tandem/io/cad.h"
 #include "tandem/surface/mesh.h"
 #include "tandem/surface/surface.h"
 #include "tandem/surface/tessellate.h"
@@ -32,12 +34,15 @@ struct SurfaceOutput {
 /// What surfaces are written as.
 [[nodiscard]] const std::vector<Format>& surface_formats();
 
+/// The format as the CAD component knows it, if it is one of its own.
+[[nodiscard]] std::optional<tandem::CadFormat> cad_format_of(Format format);
+
 /// The endings that surfaces have, as a list for people.
 [[nodiscard]] std::string surface_endings();
 
 /// path: what was given as -o; to: what was given as --to.
 /// @throws UsageError no path, an ending that is none of surfaces, or values that cannot be;
-/// tandem::InvalidArgument a format that needs the CAD component
+/// tandem::InvalidArgument a format of the CAD component, without that
 [[nodiscard]] SurfaceOutput plan_surface_output(const CLI::App& app, const std::string& path,
                                                 const std::string& to, const SurfaceFlags& flags);
 

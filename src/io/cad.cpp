@@ -57,7 +57,7 @@ const Loaded& loaded() {
 
 const CadComponent& component() {
   if (loaded().component != nullptr) return *loaded().component;
-  throw IoError(fmt::format(
+  throw InvalidArgument(fmt::format(
       "STEP, IGES and BREP need the CAD component ({}); build with TANDEM_BUILD_CAD=ON and OpenCASCADE",
       loaded().reason));
 }

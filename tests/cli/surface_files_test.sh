@@ -40,8 +40,6 @@ that "a flat square takes two triangles" test "$(grep -c ^f flat.obj)" == 2
 expect 0 convert flat.json -o flat.svg --quiet
 
 # What cannot be.
-expect 3 convert patch.json -o out.step
-err_has 'CAD component'
 expect 2 convert patch.json -o out.css
 err_has ending
 expect 2 convert patch.json -o out.itd

@@ -150,8 +150,8 @@ TEST_F(Load, SaysWhatItCannotRead) {
             packed + ": is compressed, expected plain text (gunzip it first)");
   for (const char* name : {"a.step", "a.STP", "a.iges", "a.igs", "a.brep"}) {
     const std::string file = put(name, "x");
-    EXPECT_EQ(error_of<tandem::InvalidArgument>(file),
-              file + ": this program was built without the CAD component, which reads STEP, IGES and BREP");
+    // The CAD component lies beside the program, not beside this test.
+    EXPECT_EQ(error_of<tandem::InvalidArgument>(file).rfind("STEP, IGES and BREP need the CAD component", 0), 0U);
   }
 }
 
