@@ -16,6 +16,7 @@
 #include <string>
 #include <vector>
 
+#include "key_figures.h"
 #include "morph_figures.h"
 #include "segment_figures.h"
 #include "sheet.h"
@@ -164,6 +165,7 @@ int main(int argc, char** argv) {
         {"front-page.svg", front_page()}, {"figure-5.svg", figure_5()},   {"figure-6.svg", figure_6()},
         {"figure-9.svg", figure_9()},     {"figure-12.svg", figure_12()}, {"turn.svg", turn()}};
     pictures.merge(figures::segment_figures());
+    pictures.merge(figures::key_figures());
     pictures.merge(figures::morph_figures());
     int differ = 0;
     for (const auto& [name, svg] : pictures) {

@@ -39,6 +39,8 @@ class StepBlend {
 
   /// Sends a contour on a detour.
   void set_detour(std::size_t contour, const ContourDetour& detour);
+  /// Lets detours begin and end at rest, and so without a break of velocity.
+  void make_detours_gentle() noexcept { gentle_ = true; }
 
   [[nodiscard]] std::size_t contour_count() const noexcept { return contours_.size(); }
   /// Number of coordinates of a contour.
@@ -71,6 +73,7 @@ class StepBlend {
   };
   PlanarFrame frame_;
   std::vector<Contour> contours_;
+  bool gentle_ = false;
 };
 
 }  // namespace detail
