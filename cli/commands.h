@@ -39,7 +39,9 @@ struct Command {
   std::string frames;
   std::string at;
   std::string duration = "2";
-  std::string easing = "linear";
+  std::vector<std::string> easings = {"linear"};
+  std::string times;
+  bool smooth = false;
   std::string play = "alternate";
   std::string size = "512";
   std::string precision;

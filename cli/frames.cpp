@@ -7,12 +7,8 @@
 #include "tandem/io/path_data.h"
 
 namespace cli {
-namespace {
-
-/// content(s) gives one member of the frame's object.
-template <typename Content>
 std::string format_frames(std::span<const double> positions, const std::string& reports,
-                          const Content& content) {
+                          const std::function<std::string(double s)>& content) {
   std::string text = "{\"frames\": [";
   for (std::size_t i = 0; i < positions.size(); ++i) {
     text += i == 0 ? "\n  {\"s\": " : ",\n  {\"s\": ";
@@ -26,8 +22,6 @@ std::string format_frames(std::span<const double> positions, const std::string& 
   text += "}\n";
   return text;
 }
-
-}  // namespace
 
 std::string format_path_frames(const tandem::PathMorph& morph, std::span<const double> positions,
                                const std::string& reports, int precision) {

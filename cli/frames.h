@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <span>
 #include <string>
 
@@ -7,6 +8,10 @@
 #include "tandem/morph/path_morph.h"
 
 namespace cli {
+
+/// {"frames": [{"s": 0.5, CONTENT}, ...], REPORTS}. content(s): members of the frame's object.
+[[nodiscard]] std::string format_frames(std::span<const double> positions, const std::string& reports,
+                                        const std::function<std::string(double s)>& content);
 
 /// {"frames": [{"s": 0.5, "d": "M0 0C..."}, ...], REPORTS}: planar in-betweens as path data; precision as
 /// there.

@@ -8,6 +8,7 @@
 #include "messages.h"
 #include "morph_output.h"
 #include "morph_run.h"
+#include "motions.h"
 #include "output.h"
 #include "pins.h"
 #include "tandem/error.h"
@@ -29,7 +30,9 @@ Plan make_plan(const Command& command) {
   Plan plan;
   plan.output = plan_morph_output(command);
   plan.morph.match = to_match_options(command.match);
-  plan.morph.pins = parse_pins(command.match.pins);
+  plan.morph.times = plan.output.key_times;
+  plan.morph.smooth = command.smooth;
+  if (!are_time_pins(command.match.pins)) plan.morph.pins = parse_pins(command.match.pins);
   if (!command.blend.empty()) {
     plan.morph.blend = choose<BlendKind>("--blend", command.blend,
                                          {{"auto", BlendKind::automatic},
@@ -47,6 +50,11 @@ Plan make_plan(const Command& command) {
 Status run(const Command& command) {
   const Plan plan = make_plan(command);
   const Messages messages(command.common.quiet);
+  check_standard_input(command);
+  if (const auto motions = load_motions(command, plan.output.format)) {
+    return morph_motions(command, *motions, plan.output, plan.morph, messages);
+  }
+  if (are_time_pins(command.match.pins)) (void)parse_pins(command.match.pins);  // says what is wrong
   const std::vector<Shape> keys = load_inputs(command, 2, std::string::npos);
   const int dim = keys.front().dim();
   if (dim != 2 && plan.output.format != Format::json) {

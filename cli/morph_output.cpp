@@ -7,6 +7,7 @@
 
 #include "easing.h"
 #include "frames.h"
+#include "key_times.h"
 #include "names.h"
 #include "tandem/io/animated_vector.h"
 #include "tandem/io/lottie.h"
@@ -34,15 +35,22 @@ void plan_positions(const Command& command, MorphOutput& plan) {
     if (plan.format == Format::png) {
       throw UsageError(".png holds one in-between: --at S; for several there is DIRECTORY/ with --to png");
     }
+    if (plan.format == Format::csv) {
+      throw UsageError(".csv holds one in-between: --at S; for several there is .json or DIRECTORY/");
+    }
     return;
   }
   if (!command.frames.empty()) throw UsageError("--frames and --at exclude each other");
   for (const std::string& part : split_list("--at", command.at))
     plan.positions.push_back(parse_number("--at", part));
-  const bool one = plan.format == Format::svg || plan.format == Format::png;
-  if (one && plan.positions.size() != 1) {
-    throw UsageError(fmt::format("--at with {} takes one number; for several there is .json or DIRECTORY/",
-                                 plan.format == Format::svg ? "an .svg" : "a .png"));
+  plan.at_given = true;
+  const char* const one = plan.format == Format::svg   ? "an .svg"
+                          : plan.format == Format::png ? "a .png"
+                          : plan.format == Format::csv ? "a .csv"
+                                                       : nullptr;
+  if (one != nullptr && plan.positions.size() != 1) {
+    throw UsageError(
+        fmt::format("--at with {} takes one number; for several there is .json or DIRECTORY/", one));
   }
   plan.still = plan.format == Format::svg;
   constexpr std::array kAnimations = {std::pair{Format::html, ".html"}, std::pair{Format::css, ".css"},
@@ -57,9 +65,19 @@ void plan_positions(const Command& command, MorphOutput& plan) {
   }
 }
 
-void plan_animation(const Command& command, tandem::AnimationOptions& animation) {
+void plan_animation(const Command& command, MorphOutput& plan) {
+  tandem::AnimationOptions& animation = plan.animation;
+  const std::size_t shapes = std::max<std::size_t>(command.inputs.size(), 2);
   animation.duration = parse_number("--duration", command.duration, 1e-3, kLongestDuration);
-  animation.easing = parse_easing(command.easing);
+  const KeyTimes times = parse_key_times(command.times, shapes);
+  if (times.duration) {
+    if (command.app->count("--duration") > 0) {
+      throw UsageError("--times in seconds say the duration as well: --duration does not go with them");
+    }
+    animation.duration = *times.duration;
+  }
+  plan.key_times = times.shares;
+  animation.easing = parse_easings(command.easings, shapes - 1);
   enum class Play { alternate, loop, once };
   const auto play = choose<Play>(
       "--play", command.play, {{"alternate", Play::alternate}, {"loop", Play::loop}, {"once", Play::once}});
@@ -87,8 +105,16 @@ void add_morph_output_flags(Command& command) {
       ->type_name("S,...");
   app.add_option("--duration", command.duration, "Seconds from the first shape to the last (2)")
       ->type_name("X");
-  app.add_option("--easing", command.easing, "linear, ease, ease-in, ease-out, ease-in-out, x1,y1,x2,y2")
-      ->type_name("NAME");
+  app.add_option("--easing", command.easings,
+                 "linear, ease, ease-in, ease-out, ease-in-out, x1,y1,x2,y2; once, or once per step")
+      ->type_name("NAME")
+      ->take_all()
+      ->expected(1)
+      ->allow_extra_args(false);
+  app.add_option("--times", command.times,
+                 "When the shapes are reached: 0,0.4,1 or 0%,40%,100% or 0s,0.8s,2s (evenly)")
+      ->type_name("T,...");
+  app.add_flag("--smooth", command.smooth, "Pass the shapes between the first and the last without a stop");
   app.add_option("--play", command.play, "alternate (there and back), loop, once")->type_name("HOW");
   app.add_option("--size", command.size, "Pixels of the longer side: .gif, .png, .lottie.json (512)")
       ->type_name("N");
@@ -109,7 +135,8 @@ MorphOutput plan_morph_output(const Command& command) {
   plan.format =
       output_format(command.output, command.to,
                     {Format::svg, Format::html, Format::css, Format::lottie, Format::animated_vector,
-                     Format::gif, Format::png, Format::json, Format::directory});
+                     Format::gif, Format::png, Format::csv, Format::json, Format::directory});
+  plan.title = title(command.inputs);
   plan.png_frames = command.to == "png";
   plan.size = parse_count("--size", command.size, 1, kLargestPicture);
   plan.css.size = plan.size;
@@ -120,7 +147,7 @@ MorphOutput plan_morph_output(const Command& command) {
   }
   plan.css.property = choose<tandem::CssProperty>(
       "--css", command.css, {{"d", tandem::CssProperty::d}, {"clip-path", tandem::CssProperty::clip_path}});
-  plan_animation(command, plan.animation);
+  plan_animation(command, plan);
   plan_positions(command, plan);
   if (plan.format == Format::gif && plan.frames - 1 > kGifFramesPerSecond * plan.animation.duration) {
     throw UsageError(fmt::format("--frames {} in {} s: a .gif shows at most {} a second", plan.frames,
@@ -137,11 +164,11 @@ void write_morph(const Command& command, const MorphOutput& plan, const tandem::
         return plan.still ? format_frame_svg(paths, plan.positions.front(), plan.animation.precision)
                           : format_animated_svg(paths, plan.animation);
       case Format::html:
-        return format_html_player(paths, title(command.inputs), plan.animation);
+        return format_html_player(paths, plan.title, plan.animation);
       case Format::css:
         return format_css(paths, plan.animation, plan.css);
       case Format::lottie:
-        return format_lottie(paths, title(command.inputs), plan.animation, plan.size);
+        return format_lottie(paths, plan.title, plan.animation, plan.size);
       case Format::animated_vector:
         return format_animated_vector(paths, plan.animation);
       case Format::gif:

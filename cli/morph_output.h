@@ -15,10 +15,13 @@ namespace cli {
 struct MorphOutput {
   Format format = Format::json;
   std::vector<double> positions;  ///< --at, or --frames spread over [0, 1]
+  bool at_given = false;          ///< --at was there
+  std::string title;              ///< from the names of the inputs
   bool still = false;             ///< one in-between as a still .svg
   bool png_frames = false;        ///< a directory of .png, not of .svg
   int frames = 0;                 ///< --frames; 0: not given
   int size = 0;                   ///< pixels of the longer side
+  std::vector<double> key_times;  ///< tandem::MorphOptions::times
   tandem::AnimationOptions animation;
   tandem::CssOptions css;
 };

@@ -67,14 +67,14 @@ std::string format_quality(const tandem::PathMorph& morph) {
   }
   const tandem::MorphQuality quality = tandem::measure_quality(morph);
   return fmt::format(
-      "\"blends\": [{}], \"detour\": {},\n"
+      "\"blends\": [{}], \"detour\": {}, \"smooth\": {}, \"pace\": [{}],\n"
       " \"quality\": {{\"in_betweens\": {}, \"crossing\": {}, \"crossing_between\": {}, \"folded\": {}, "
       "\"faulty\": {}, \"faulty_keys\": {}, \"g1_defect\": {}, \"length_deviation\": {}, "
       "\"area_deviation\": {}, \"step_ratio\": {}}}",
-      blends, detour, quality.in_betweens, quality.crossing, quality.crossing_between, quality.folded,
-      quality.faulty, quality.faulty_keys, json_number(quality.g1_defect),
-      json_number(quality.length_deviation), json_number(quality.area_deviation),
-      json_number(quality.step_ratio));
+      blends, detour, morph.is_smooth(), fmt::join(morph.pace(), ", "), quality.in_betweens, quality.crossing,
+      quality.crossing_between, quality.folded, quality.faulty, quality.faulty_keys,
+      json_number(quality.g1_defect), json_number(quality.length_deviation),
+      json_number(quality.area_deviation), json_number(quality.step_ratio));
 }
 
 /// A turn that nobody asked for should not puzzle anybody.
@@ -128,6 +128,18 @@ void say_cut_open(const Messages& messages, const tandem::PathMorph& morph, std:
   }
 }
 
+/// --strict. False when nothing shall be written.
+bool judge_run(const Command& command, MorphRun& result, const Messages& messages) {
+  const bool valid = std::all_of(result.reports.begin(), result.reports.end(),
+                                 [](const ShapeReport& r) { return r.valid(); });
+  if (command.match.strict && !valid) {
+    messages.error("no valid match exists for these samples (--strict): nothing was written");
+    result.status = kNoValidMatch;
+    return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 MorphRun run_morph(const Command& command, std::span<const Shape> keys, tandem::MorphOptions options,
@@ -149,13 +161,7 @@ MorphRun run_morph(const Command& command, std::span<const Shape> keys, tandem::
     result.reports.push_back(result.paths ? report_of(result.paths->steps()[key])
                                           : report_of(*result.curves, key, keys[key], keys[key + 1]));
   }
-  const bool valid = std::all_of(result.reports.begin(), result.reports.end(),
-                                 [](const ShapeReport& r) { return r.valid(); });
-  if (command.match.strict && !valid) {
-    messages.error("no valid match exists for these samples (--strict): nothing was written");
-    result.status = kNoValidMatch;
-    return result;
-  }
+  if (!judge_run(command, result, messages)) return result;
   if (result.paths && options.match.closed != tandem::ClosedMode::yes) {
     say_open(messages, keys);
     say_cut_open(messages, *result.paths, keys);
@@ -164,6 +170,24 @@ MorphRun run_morph(const Command& command, std::span<const Shape> keys, tandem::
     warn(messages, report);
     if (note_turn) say_turn(messages, report);
   }
+  return result;
+}
+
+MorphRun run_motions(const Command& command, std::span<const tandem::Curve> motions,
+                     tandem::MotionOptions options, const Messages& messages) {
+  options.match.progress = show_progress(messages.quiet());
+  MorphRun result;
+  {
+    const InterruptibleScope interruptible;
+    result.motions.emplace(motions, options);
+  }
+  throw_if_interrupted();
+  erase_progress_bar();
+  for (std::size_t step = 0; step + 1 < motions.size(); ++step) {
+    result.reports.push_back(make_report(1, 1, [&](std::size_t) { return &result.motions->match(step); }));
+  }
+  // No warnings: motions that go opposite ways for a moment do not fold.
+  (void)judge_run(command, result, messages);
   return result;
 }
 

@@ -9,6 +9,7 @@
 #include "messages.h"
 #include "report.h"
 #include "tandem/morph/morph.h"
+#include "tandem/morph/motion_morph.h"
 #include "tandem/morph/path_morph.h"
 #include "tandem/shape/shape.h"
 
@@ -19,13 +20,18 @@ struct MorphRun {
   Status status = kDone;                   ///< kNoValidMatch: --strict, nothing shall be written
   std::optional<tandem::PathMorph> paths;  ///< of planar shapes
   std::optional<tandem::Morph> curves;     ///< of others
-  std::vector<ShapeReport> reports;        ///< one per pair of neighbours
+  std::optional<tandem::MotionMorph> motions;
+  std::vector<ShapeReport> reports;  ///< one per pair of neighbours
 };
 
 /// Matches with a progress bar, and says what there is to say about the result. note_turn: a turn is seen on
 /// the way. @throws Interrupted
 [[nodiscard]] MorphRun run_morph(const Command& command, std::span<const tandem::Shape> keys,
                                  tandem::MorphOptions options, const Messages& messages, bool note_turn);
+
+/// The same of motions, curves over time. @throws Interrupted
+[[nodiscard]] MorphRun run_motions(const Command& command, std::span<const tandem::Curve> motions,
+                                   tandem::MotionOptions options, const Messages& messages);
 
 /// `"report": {...}` of two keys, `"reports": [...]` of more, and of planar shapes `"blends"` and
 /// `"quality"`: members of a JSON object.

@@ -73,7 +73,7 @@ bool is_frame_name(const std::string& name) {
   constexpr std::size_t kTail = 4;
   if (name.size() <= kHead.size() + kTail || name.rfind(kHead, 0) != 0) return false;
   const std::string tail = name.substr(name.size() - kTail);
-  if (tail != ".svg" && tail != ".png") return false;
+  if (tail != ".svg" && tail != ".png" && tail != ".csv") return false;
   return std::all_of(name.begin() + kHead.size(), name.end() - kTail,
                      [](unsigned char c) { return std::isdigit(c) != 0; });
 }
@@ -145,7 +145,8 @@ Format output_format(const std::string& path, const std::string& to, const std::
   if (!to.empty()) {
     for (const Ending& ending : kEndings) {
       if (to != ending.word || !allows(allowed, ending.format)) continue;
-      const bool frames = ending.format == Format::svg || ending.format == Format::png;
+      const bool frames =
+          ending.format == Format::svg || ending.format == Format::png || ending.format == Format::csv;
       return directory && frames ? Format::directory : ending.format;
     }
     throw UsageError(fmt::format("--to takes one of {}, not '{}'", list(allowed, &Ending::word), to));

@@ -32,7 +32,7 @@ enum class Format {
 };
 
 /// The format of an output: `to` when given, else by the ending of `path`; "-" is JSON, or what
-/// else the command writes. A directory stays one when `to` says svg or png: that is what its frames are
+/// else the command writes. A directory stays one when `to` says svg, png or csv: that is what its frames are
 /// then. allowed: what the command can write.
 /// @throws UsageError an ending that the command does not know
 [[nodiscard]] Format output_format(const std::string& path, const std::string& to,
@@ -43,7 +43,7 @@ void write_output(const std::string& path, std::string_view content);
 
 /// Writes the files frame_000 + ending, ... with content(0..count-1) as a whole directory or not at all. An
 /// existing directory is replaced if it is empty or holds nothing but frames of an earlier run.
-/// ending: ".svg" or ".png".
+/// ending: ".svg", ".png" or ".csv".
 /// @throws tandem::IoError; Interrupted; and what `content` throws
 void write_frame_directory(const std::string& path, std::size_t count, std::string_view ending,
                            const std::function<std::string(std::size_t)>& content);

@@ -31,12 +31,36 @@ std::pair<Point, Point> parse_pin(const std::string& pin) {
   return {parse_point(pin.substr(0, equals), pin), parse_point(pin.substr(equals + 1), pin)};
 }
 
+ParameterPair parse_time_pin(const std::string& pin) {
+  const std::size_t equals = pin.find('=');
+  if (equals == std::string::npos || pin.find('=', equals + 1) != std::string::npos) {
+    throw UsageError("--pin takes t1=t2 for motions, not '" + pin + "'");
+  }
+  return {parse_number("--pin", pin.substr(0, equals)), parse_number("--pin", pin.substr(equals + 1))};
+}
+
 }  // namespace
+
+bool are_time_pins(const std::vector<std::string>& pins) {
+  return !pins.empty() && std::all_of(pins.begin(), pins.end(), [](const std::string& pin) {
+    return pin.find(',') == std::string::npos;
+  });
+}
+
+std::vector<ParameterPair> parse_time_pins(const std::vector<std::string>& pins) {
+  std::vector<ParameterPair> parsed;
+  for (const std::string& pin : pins) parsed.push_back(parse_time_pin(pin));
+  return parsed;
+}
 
 std::vector<std::vector<ParameterPair>> locate_pins(const std::vector<std::string>& pins,
                                                     const tandem::Shape& a, const tandem::Shape& b) {
   const std::size_t count = std::min(a.contours.size(), b.contours.size());
   std::vector<std::vector<ParameterPair>> located(count);
+  if (are_time_pins(pins) && count > 0) {
+    located.front() = parse_time_pins(pins);
+    return located;
+  }
   for (const std::string& pin : pins) {
     const auto [on_a, on_b] = parse_pin(pin);
     if (count == 0) throw tandem::InvalidArgument("--pin " + pin + ": there are no contours to pin");

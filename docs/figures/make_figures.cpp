@@ -16,6 +16,7 @@
 #include <string>
 #include <vector>
 
+#include "key_figures.h"
 #include "morph_figures.h"
 #include "ruled_figures.h"
 #include "certificate_figure.h"
@@ -197,6 +198,7 @@ int main(int argc, char** argv) {
                                                    {"turn.svg", turn()},
                                                    {"cuts.svg", cuts()}};
     pictures.merge(figures::segment_figures());
+    pictures.merge(figures::key_figures());
     pictures.merge(figures::morph_figures());
     pictures.merge(figures::ruled_figures());
     pictures.merge(figures::skin_figures());

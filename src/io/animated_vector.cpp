@@ -40,7 +40,7 @@ class VectorWriter {
  public:
   VectorWriter(const KeyFrames& frames, const AnimationOptions& options)
       : frames_(frames),
-        steps_(forward_timeline(frames, parse_easing(options.easing))),
+        steps_(forward_timeline(frames, options)),
         options_(options),
         view_(view_of(frames.box)),
         precision_(decimals_for(view_, options.precision)) {}

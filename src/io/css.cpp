@@ -132,7 +132,7 @@ std::string format_css(const PathMorph& morph, const AnimationOptions& animation
   }
   const bool clip = options.property == CssProperty::clip_path;
   const KeyFrames frames = key_frames(morph, {.tolerance = animation.tolerance, .bake_turn = clip});
-  const std::vector<TimelineStep> steps = forward_timeline(frames, parse_easing(animation.easing));
+  const std::vector<TimelineStep> steps = forward_timeline(frames, animation);
   return clip ? format_clip_path(frames, steps, animation, options)
               : format_d(frames, steps, animation, options.name);
 }

@@ -13,6 +13,7 @@
 
 #include "io/interpolate.h"
 #include "io/limits.h"
+#include "io/number.h"
 #include "io/scan_number.h"
 #include "io/text_position.h"
 #include "tandem/error.h"
@@ -95,7 +96,7 @@ class CsvReader {
  public:
   CsvReader(std::string_view text, const std::string& source) : text_(text), source_(source) {}
 
-  Curve read() {
+  CsvTable read() {
     const std::vector<std::string_view> lines = lines_of(text_);
     if (lines.empty()) fail_at(source_, text_, 0, "there is no row in it");
     separator_ = separator_of(lines.front());
@@ -112,8 +113,9 @@ class CsvReader {
     }
     for (std::size_t i = header ? 1 : 0; i < lines.size(); ++i) read_row(lines[i], timed);
     try {
-      return interpolate(times_,
-                         Points(static_cast<int>(columns_ - (timed ? 1 : 0)), std::move(coordinates_)));
+      return {
+          interpolate(times_, Points(static_cast<int>(columns_ - (timed ? 1 : 0)), std::move(coordinates_))),
+          names_of(header ? first : std::vector<std::string_view>{}, timed), rows};
     } catch (const InvalidArgument&) {
       fail(lines.front(), "the rows are too unevenly spaced in time, or too large, to be interpolated");
     }
@@ -122,6 +124,17 @@ class CsvReader {
  private:
   [[noreturn]] void fail(std::string_view where, const std::string& message) const {
     fail_at(source_, text_, static_cast<std::size_t>(where.data() - text_.data()), message);
+  }
+
+  /// Of the time, which may have no column, and of the values.
+  [[nodiscard]] std::vector<std::string> names_of(const std::vector<std::string_view>& header,
+                                                  bool timed) const {
+    std::vector<std::string> names;
+    if (!timed) names.emplace_back("t");
+    for (std::size_t i = 0; i < columns_; ++i) {
+      names.push_back(header.empty() ? fmt::format("x{}", i + 1) : std::string(header[i]));
+    }
+    return names;
   }
 
   void read_row(std::string_view line, bool timed) {
@@ -167,8 +180,33 @@ class CsvReader {
 
 }  // namespace
 
-Curve parse_csv(std::string_view text, const std::string& source) {
+CsvTable parse_csv_table(std::string_view text, const std::string& source) {
   return CsvReader(without_bom(text), source).read();
+}
+
+Curve parse_csv(std::string_view text, const std::string& source) {
+  return parse_csv_table(text, source).curve;
+}
+
+std::string format_csv(const Points& rows, std::span<const std::string> columns) {
+  if (columns.size() != static_cast<std::size_t>(rows.dim())) {
+    throw InvalidArgument(
+        fmt::format("csv: {} names for {} columns, expected as many", columns.size(), rows.dim()));
+  }
+  std::string text;
+  for (const std::string& name : columns) {
+    if (&name != &columns.front()) text += ',';
+    text += name.find_first_of(",;\t ") == std::string::npos ? name : '"' + name + '"';
+  }
+  text += '\n';
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+      if (k > 0) text += ',';
+      append_number(text, rows[i][k]);
+    }
+    text += '\n';
+  }
+  return text;
 }
 
 }  // namespace v0

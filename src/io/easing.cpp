@@ -16,6 +16,12 @@ bool is_separator(char c) {
   return c == ' ' || c == '\t' || c == ',';
 }
 
+std::string_view trimmed(std::string_view text) {
+  while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
+  while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
+  return text;
+}
+
 // The blossom of the Bezier curve with the coordinates 0, p, q, 1.
 double blossom(double p, double q, double a, double b, double c) {
   const double first = (1.0 - b) * ((1.0 - a) * 0.0 + a * p) + b * ((1.0 - a) * p + a * q);
@@ -94,6 +100,19 @@ Easing parse_easing(std::string_view text) {
                     text));
   }
   return {numbers[0], numbers[1], numbers[2], numbers[3]};
+}
+
+std::vector<Easing> parse_easings(std::string_view text, std::size_t steps) {
+  std::vector<Easing> easings;
+  for (;;) {
+    const std::size_t end = text.find(';');
+    easings.push_back(parse_easing(trimmed(text.substr(0, end))));
+    if (end == std::string_view::npos) break;
+    text.remove_prefix(end + 1);
+  }
+  if (easings.size() == 1 || easings.size() == steps) return easings;
+  throw InvalidArgument(fmt::format(
+      "{} easings, expected one, or one for each of the {} steps from key to key", easings.size(), steps));
 }
 
 }  // namespace v0

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <string_view>
+#include <vector>
 
 namespace tandem {
 inline namespace v0 {
@@ -36,6 +38,10 @@ struct EasingPart {
 /// commas.
 /// @throws InvalidArgument anything else
 [[nodiscard]] Easing parse_easing(std::string_view text);
+
+/// Easings separated by semicolons, as SMIL separates its keySplines: one, or one for each of `steps` steps.
+/// @throws InvalidArgument another number of them, or as above
+[[nodiscard]] std::vector<Easing> parse_easings(std::string_view text, std::size_t steps);
 
 }  // namespace v0
 }  // namespace tandem

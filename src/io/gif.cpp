@@ -172,7 +172,7 @@ std::string format_gif(const PathMorph& morph, const AnimationOptions& options, 
   const Canvas canvas = canvas_of(view, size);
   const Rasterizer rasterizer(canvas, morph.fill_rule(), stroke_width(view));
   const KeyFrames frames = key_frames(morph, {.tolerance = options.tolerance, .bake_turn = false});
-  const std::vector<TimelineStep> steps = forward_timeline(frames, parse_easing(options.easing));
+  const std::vector<TimelineStep> steps = forward_timeline(frames, options);
   const auto draw = [&](int i) {
     return rasterizer.draw(morph.at(played_at(frames, steps, i / (count - 1.0))));
   };

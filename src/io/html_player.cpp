@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <string_view>
+#include <vector>
 
 #include "io/html.h"
 #include "io/html_player_page.h"
@@ -57,17 +58,18 @@ std::string pose_data(const KeyFrames& frames, int precision) {
 std::string morph_data(const KeyFrames& frames, const AnimationOptions& options) {
   const View view = view_of(frames.box);
   const int precision = decimals_for(view, options.precision);
-  const Easing easing = parse_easing(options.easing);
+  const std::vector<Easing> easings = parse_easings(options.easing, frames.keys.size() - 1);
   std::string text = "{\"times\":[";
   for (const double s : frames.times) text += (s == 0.0 ? "" : ",") + format_number(s);
   text += fmt::format(
-      "],\"keys\":[{}],\"view\":[{},{},{},{}],\"rule\":\"{}\",\"duration\":{},\"alternate\":{},\"repeat\":{},"
-      "\"easing\":[{},{},{},{}],\n\"contours\":[",
-      fmt::join(frames.keys, ","), format_number(view.x, precision), format_number(view.y, precision),
+      "],\"keys\":[{}],\"stretches\":[{}],\"view\":[{},{},{},{}],\"rule\":\"{}\",\"duration\":{},"
+      "\"alternate\":{},\"repeat\":{},"
+      "\"easings\":[{}],\n\"contours\":[",
+      fmt::join(frames.keys, ","), fmt::join(eased_stretches(frames, easings), ","),
+      format_number(view.x, precision), format_number(view.y, precision),
       format_number(view.width, precision), format_number(view.height, precision),
       frames.fill_rule == FillRule::evenodd ? "evenodd" : "nonzero", format_number(options.duration),
-      options.alternate, options.repeat, format_number(easing.x1), format_number(easing.y1),
-      format_number(easing.x2), format_number(easing.y2));
+      options.alternate, options.repeat, format_easings(easings));
   for (std::size_t c = 0; c < frames.paths.front().size(); ++c) {
     if (c > 0) text += ",\n";
     text += contour_data(frames, c, precision);

@@ -200,8 +200,9 @@ function show(value) {
   [...byId("strip").children].forEach((button, i) => button.classList.toggle("near", i === near));
 }
 
-// Timing: the eased share of the way from one key to the next, and back again from a place to its time.
-const [x1, y1, x2, y2] = morph.easing;
+// Timing: the eased share of a stretch, which is the way from one key to the next or all of it, and back again from a place
+// to its time.
+const stretches = morph.stretches.map((i) => morph.times[i]);
 const bezier = (p, q, t) => 3 * p * t * (1 - t) * (1 - t) + 3 * q * t * t * (1 - t) + t * t * t;
 function solve(p1, p2, q1, q2, x) {
   if (p1 === q1 && p2 === q2) return x;
@@ -212,14 +213,12 @@ function solve(p1, p2, q1, q2, x) {
   }
   return bezier(q1, q2, (lo + hi) / 2);
 }
-function timeToS(time) {
-  const [key, local] = locate(keyTimes, time);
-  return keyTimes[key] + solve(x1, x2, y1, y2, local) * (keyTimes[key + 1] - keyTimes[key]);
+function retimed(value, share) {
+  const [i, local] = locate(stretches, value);
+  return stretches[i] + share(morph.easings[Math.min(i, morph.easings.length - 1)], local) * (stretches[i + 1] - stretches[i]);
 }
-function sToTime(value) {
-  const [key, local] = locate(keyTimes, value);
-  return keyTimes[key] + solve(y1, y2, x1, x2, local) * (keyTimes[key + 1] - keyTimes[key]);
-}
+const timeToS = (time) => retimed(time, ([x1, y1, x2, y2], local) => solve(x1, x2, y1, y2, local));
+const sToTime = (value) => retimed(value, ([x1, y1, x2, y2], local) => solve(y1, y2, x1, x2, local));
 
 let playing = false, direction = 1, time = 0, before = 0;
 function step(now) {

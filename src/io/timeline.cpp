@@ -4,16 +4,34 @@
 
 #include <cmath>
 
+#include "io/number.h"
 #include "tandem/error.h"
 
 namespace tandem {
 inline namespace v0 {
 
-std::vector<TimelineStep> forward_timeline(const KeyFrames& frames, const Easing& easing) {
+std::vector<std::size_t> eased_stretches(const KeyFrames& frames, const std::vector<Easing>& easings) {
+  if (frames.smooth && easings.size() == 1) return {0, frames.times.size() - 1};
+  return frames.keys;
+}
+
+std::string format_easings(const std::vector<Easing>& easings) {
+  std::string text;
+  for (const Easing& easing : easings) {
+    text += fmt::format("{}[{},{},{},{}]", text.empty() ? "" : ",", format_number(easing.x1),
+                        format_number(easing.y1), format_number(easing.x2), format_number(easing.y2));
+  }
+  return text;
+}
+
+std::vector<TimelineStep> forward_timeline(const KeyFrames& frames, const AnimationOptions& options) {
+  const std::vector<Easing> easings = parse_easings(options.easing, frames.keys.size() - 1);
+  const std::vector<std::size_t> ends = eased_stretches(frames, easings);
   std::vector<TimelineStep> steps(frames.times.size());
-  for (std::size_t key = 0; key + 1 < frames.keys.size(); ++key) {
-    const std::size_t first = frames.keys[key];
-    const std::size_t last = frames.keys[key + 1];
+  for (std::size_t k = 0; k + 1 < ends.size(); ++k) {
+    const Easing& easing = easings.size() == 1 ? easings.front() : easings[k];
+    const std::size_t first = ends[k];
+    const std::size_t last = ends[k + 1];
     const double start = frames.times[first];
     const double length = frames.times[last] - start;
     for (std::size_t i = first; i < last; ++i) {
@@ -27,7 +45,7 @@ std::vector<TimelineStep> forward_timeline(const KeyFrames& frames, const Easing
 }
 
 std::vector<TimelineStep> loop_timeline(const KeyFrames& frames, const AnimationOptions& options) {
-  std::vector<TimelineStep> steps = forward_timeline(frames, parse_easing(options.easing));
+  std::vector<TimelineStep> steps = forward_timeline(frames, options);
   if (!options.alternate) return steps;
   const std::size_t count = steps.size();
   for (TimelineStep& step : steps) step.time *= 0.5;
@@ -54,7 +72,6 @@ void check_animation(const AnimationOptions& options) {
   if (!(options.duration > 0.0 && std::isfinite(options.duration))) {
     throw InvalidArgument(fmt::format("animation: duration is {} s, expected > 0", options.duration));
   }
-  (void)parse_easing(options.easing);
 }
 
 }  // namespace v0

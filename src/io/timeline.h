@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 #include "io/easing.h"
@@ -17,9 +18,18 @@ struct TimelineStep {
   Easing easing;      ///< of the last step: linear
 };
 
-/// The way from the first frame to the last; the easing runs from key to key, so that frames between two keys
-/// share it.
-[[nodiscard]] std::vector<TimelineStep> forward_timeline(const KeyFrames& frames, const Easing& easing);
+/// Where easings begin and end: indices of frames, one more than there are stretches. The keys; of a smooth
+/// motion with a single easing the first and the last.
+[[nodiscard]] std::vector<std::size_t> eased_stretches(const KeyFrames& frames,
+                                                       const std::vector<Easing>& easings);
+
+/// "[x1,y1,x2,y2],...": as the scripts of pages read easings.
+[[nodiscard]] std::string format_easings(const std::vector<Easing>& easings);
+
+/// The way from the first frame to the last; frames between the ends of a stretch share its easing.
+/// @throws InvalidArgument another number of easings than one, or one per step from key to key
+[[nodiscard]] std::vector<TimelineStep> forward_timeline(const KeyFrames& frames,
+                                                         const AnimationOptions& options);
 
 /// The same way there and, where options.alternate, back.
 [[nodiscard]] std::vector<TimelineStep> loop_timeline(const KeyFrames& frames,
@@ -31,7 +41,7 @@ struct TimelineStep {
 /// Seconds that loop_timeline() takes.
 [[nodiscard]] double loop_seconds(const AnimationOptions& options);
 
-/// @throws InvalidArgument duration <= 0, or no such easing
+/// @throws InvalidArgument duration <= 0
 void check_animation(const AnimationOptions& options);
 
 }  // namespace v0

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "morph/wants_turns.h"
 #include "tandem/curve/bounding_box.h"
 #include "tandem/curve/compatible.h"
 #include "tandem/curve/edit.h"
@@ -129,14 +130,6 @@ Direction common_direction(const Matches& matches) {
   return reversed > forward ? Direction::reversed : Direction::forward;
 }
 
-// Whether turns are to be looked for.
-bool wants_turns(const MatchOptions& options) {
-  if (!options.rotation.empty()) return false;
-  if (options.rotate) return *options.rotate;
-  const auto* kind = std::get_if<NormKind>(&options.norm);
-  return kind == nullptr || *kind == NormKind::tangent;
-}
-
 // Index of the nearest key that has the contour, the earlier one on a tie.
 std::size_t nearest_with(std::span<const Shape> keys, std::size_t contour, std::size_t key) {
   for (std::size_t distance = 0; distance < keys.size(); ++distance) {
@@ -186,7 +179,7 @@ class KeyMatcher {
         least_gain_(options.least_gain),
         options_(options.match),
         chains_(contours, Chain{std::vector<std::optional<Curve>>(keys.size()), {}}),
-        work_(options_.progress, (keys.size() - 1) * (contours + (wants_turns(options_) ? 1 : 0))) {}
+        work_(options_.progress, (keys.size() - 1) * (contours + (detail::wants_turns(options_) ? 1 : 0))) {}
 
   // Puts `key` in step with the one before it, the first one with none; nothing when cancelled.
   std::optional<Matches> add(std::size_t key) {
@@ -236,7 +229,7 @@ class KeyMatcher {
   bool find_turn(std::size_t key) {
     const int dim = keys_[key].dim();
     rotations_.push_back(options_.rotation.empty() ? Rotation(dim) : Rotation(dim, options_.rotation));
-    if (!wants_turns(options_)) return true;
+    if (!detail::wants_turns(options_)) return true;
     std::vector<Curve> a;
     std::vector<Curve> b;
     for (std::size_t c = 0; c < chains_.size(); ++c) {

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
+#include <numbers>
 #include <optional>
 #include <utility>
 
@@ -30,7 +32,11 @@ constexpr std::size_t kBoxSamples = 16;
 struct Frame {
   double s = 0.0;
   Paths paths;
+  FramePose pose = {};  ///< none: all of them alike
 };
+
+/// What is stepped through.
+using FrameMotion = std::function<Frame(double s)>;
 
 void check_same_segments(const Paths& first, const Paths& paths, double s) {
   bool same = paths.size() == first.size();
@@ -43,7 +49,16 @@ void check_same_segments(const Paths& first, const Paths& paths, double s) {
   }
 }
 
-double blend_error(const Frame& a, const Frame& b, const Frame& between) {
+// How far the pose that runs evenly carries points off that are no farther from the centre than `radius`.
+double pose_error(const FramePose& a, const FramePose& b, const FramePose& between, double local,
+                  double radius) {
+  const double x = (1.0 - local) * a.center.x + local * b.center.x - between.center.x;
+  const double y = (1.0 - local) * a.center.y + local * b.center.y - between.center.y;
+  const double degrees = (1.0 - local) * a.degrees + local * b.degrees - between.degrees;
+  return std::sqrt(x * x + y * y) + radius * std::fabs(degrees) * std::numbers::pi / 180.0;
+}
+
+double blend_error(const Frame& a, const Frame& b, const Frame& between, double radius) {
   const double local = (between.s - a.s) / (b.s - a.s);
   double largest = 0.0;
   for (std::size_t i = 0; i < between.paths.size(); ++i) {
@@ -56,13 +71,14 @@ double blend_error(const Frame& a, const Frame& b, const Frame& between) {
       largest = std::max({largest, std::fabs(x), std::fabs(y), std::sqrt(x * x + y * y)});
     }
   }
-  return largest;
+  return largest + pose_error(a.pose, b.pose, between.pose, local, radius);
 }
 
-/// Frames of a motion; `tolerance` and `error` are absolute.
+/// Frames of a motion; `tolerance`, `radius` (of all that turns) and `error` are absolute.
 class Stepping {
  public:
-  Stepping(const Motion& motion, double tolerance) : motion_(motion), tolerance_(tolerance) {}
+  Stepping(const FrameMotion& motion, double tolerance, double radius)
+      : motion_(motion), tolerance_(tolerance), radius_(radius) {}
 
   /// Appends what is needed behind the last of `frames`, up to and with the key `last`.
   void go_on(const Frame& last, std::vector<Frame>& frames) {
@@ -76,13 +92,13 @@ class Stepping {
 
  private:
   [[nodiscard]] Frame frame_at(double s, const Frame& like) const {
-    Frame frame{s, motion_(s)};
+    Frame frame = motion_(s);
     check_same_segments(like.paths, frame.paths, s);
     return frame;
   }
 
   [[nodiscard]] double error_at(const Frame& a, const Frame& b, double share) const {
-    return blend_error(a, b, frame_at((1.0 - share) * a.s + share * b.s, a));
+    return blend_error(a, b, frame_at((1.0 - share) * a.s + share * b.s, a), radius_);
   }
 
   [[nodiscard]] bool fits(const Frame& a, const Frame& b) const {
@@ -113,8 +129,9 @@ class Stepping {
     frames.push_back(std::move(frame));
   }
 
-  const Motion& motion_;
+  const FrameMotion& motion_;
   double tolerance_;
+  double radius_;
   double error_ = 0.0;
 };
 
@@ -122,40 +139,28 @@ void check(std::span<const double> key_times, const KeyFrameOptions& options) {
   if (!(options.tolerance > 0.0)) {
     throw InvalidArgument(fmt::format("key frames: the tolerance is {}, expected > 0", options.tolerance));
   }
-  const bool rising = key_times.size() >= 2 && key_times.front() == 0.0 && key_times.back() == 1.0 &&
-                      std::adjacent_find(key_times.begin(), key_times.end(),
-                                         [](double a, double b) { return !(a < b); }) == key_times.end();
-  if (!rising) {
-    throw InvalidArgument(
-        fmt::format("key frames: the times of the keys are {}, expected to rise from 0 to 1",
-                    fmt::join(key_times, ", ")));
-  }
+  check_key_times(key_times);
 }
 
-/// keys: the motion at the key times. The tolerance is a share of `box`.
-KeyFrames step_through(const Motion& motion, std::span<const double> key_times, std::span<const Paths> keys,
-                       Box box, double tolerance) {
+/// keys: the motion at the keys. The tolerance is a share of `box`.
+KeyFrames step_through(const FrameMotion& motion, std::vector<Frame> keys, Box box, double tolerance) {
   const double diagonal = box.diagonal();
-  Stepping stepping(motion, tolerance * diagonal);
-  std::vector<Frame> frames{{key_times.front(), keys.front()}};
+  Stepping stepping(motion, tolerance * diagonal, 0.5 * diagonal);
+  std::vector<Frame> frames{std::move(keys.front())};
   KeyFrames result;
   result.keys.push_back(0);
-  for (std::size_t key = 0; key + 1 < key_times.size(); ++key) {
-    stepping.go_on({key_times[key + 1], keys[key + 1]}, frames);
+  for (std::size_t key = 1; key < keys.size(); ++key) {
+    stepping.go_on(keys[key], frames);
     result.keys.push_back(frames.size() - 1);
   }
   for (Frame& frame : frames) {
     result.times.push_back(frame.s);
     result.paths.push_back(std::move(frame.paths));
+    result.poses.push_back(frame.pose);
   }
   result.max_error = diagonal > 0.0 ? stepping.error() / diagonal : 0.0;
   result.box = std::move(box);
   return result;
-}
-
-FramePose blend(const FramePose& a, const FramePose& b, double local) {
-  return {{(1.0 - local) * a.center.x + local * b.center.x, (1.0 - local) * a.center.y + local * b.center.y},
-          (1.0 - local) * a.degrees + local * b.degrees};
 }
 
 /// Paths that are drawn in this pose, as the frame sees them.
@@ -180,53 +185,52 @@ Paths seen_from(const FramePose& pose, const Paths& paths) {
 }  // namespace
 
 KeyFrames key_frames(const PathMorph& morph, const KeyFrameOptions& options) {
-  std::vector<double> key_times;
-  for (std::size_t key = 0; key < morph.key_count(); ++key) {
-    key_times.push_back(static_cast<double>(key) / static_cast<double>(morph.key_count() - 1));
-  }
-  check(key_times, options);
+  check(morph.key_times(), options);
   const bool in_frame = morph.turns() && !options.bake_turn;
-  const auto pose_at = [&](double s) {
-    const KeyPosition at = locate_key(s, morph.key_count());
-    return blend(morph.poses()[at.key], morph.poses()[at.key + 1], at.local);
+  const FrameMotion motion = [&](double s) {
+    if (!in_frame) return Frame{s, morph.at(s)};
+    const FramePose pose = morph.pose_at(s);
+    return Frame{s, seen_from(pose, morph.at(s)), pose};
   };
-  const Motion motion = [&](double s) { return in_frame ? seen_from(pose_at(s), morph.at(s)) : morph.at(s); };
-  std::vector<Paths> keys;
+  std::vector<Frame> keys;
   for (std::size_t key = 0; key < morph.key_count(); ++key) {
+    const double s = morph.key_times()[key];
     if (!in_frame) {
-      keys.push_back(morph.at(key_times[key]));
+      keys.push_back(motion(s));
       continue;
     }
-    Paths& paths = keys.emplace_back();
-    for (const PathContour& contour : morph.contours()) paths.push_back(contour.keys[key]);
+    Frame& frame = keys.emplace_back(Frame{s, {}, morph.pose_at(s)});
+    for (const PathContour& contour : morph.contours()) frame.paths.push_back(contour.keys[key]);
   }
-  KeyFrames result = step_through(motion, key_times, keys, morph.box(), options.tolerance);
+  KeyFrames result = step_through(motion, std::move(keys), morph.box(), options.tolerance);
   result.fill_rule = morph.fill_rule();
+  result.smooth = morph.is_smooth();
   for (const PathContour& contour : morph.contours()) result.lines.push_back(contour.lines);
-  if (in_frame) {
-    for (const double s : result.times) result.poses.push_back(pose_at(s));
-  }
+  if (!in_frame) result.poses.clear();
   return result;
 }
 
 KeyFrames key_frames(const Motion& motion, std::span<const double> key_times,
                      const KeyFrameOptions& options) {
   check(key_times, options);
-  std::vector<Paths> keys;
+  std::vector<Frame> keys;
   Box box;
   const auto include = [&](const Paths& paths) {
     for (const CubicPath& path : paths) box.include(bounding_box(to_curve(path)));
   };
   for (std::size_t key = 0; key < key_times.size(); ++key) {
-    keys.push_back(motion(key_times[key]));
-    check_same_segments(keys.front(), keys.back(), key_times[key]);
-    include(keys.back());
+    keys.push_back({key_times[key], motion(key_times[key])});
+    check_same_segments(keys.front().paths, keys.back().paths, key_times[key]);
+    include(keys.back().paths);
     for (std::size_t i = 1; key > 0 && i < kBoxSamples; ++i) {
       const double share = static_cast<double>(i) / static_cast<double>(kBoxSamples);
       include(motion((1.0 - share) * key_times[key - 1] + share * key_times[key]));
     }
   }
-  return step_through(motion, key_times, keys, std::move(box), options.tolerance);
+  const FrameMotion frames = [&](double s) { return Frame{s, motion(s)}; };
+  KeyFrames result = step_through(frames, std::move(keys), std::move(box), options.tolerance);
+  result.poses.clear();
+  return result;
 }
 
 }  // namespace v0

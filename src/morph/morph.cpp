@@ -8,6 +8,8 @@
 #include <limits>
 #include <utility>
 
+#include "morph/chosen_times.h"
+#include "morph/hermite_functions.h"
 #include "morph/in_step.h"
 #include "morph/length_center.h"
 #include "morph/settle_blend.h"
@@ -72,6 +74,23 @@ MovingFrame frame_between(std::span<const Curve> a, std::span<const Curve> b, co
   return {length_center(a), length_center(b), rotation};
 }
 
+void add(std::span<double> points, double factor, std::span<const double> other) {
+  for (std::size_t i = 0; i < points.size(); ++i) points[i] += factor * other[i];
+}
+
+// Velocity per step at its start or its end, of points_at(local).
+template <class PointsAt>
+Points velocity(bool end, const PointsAt& points_at) {
+  const double difference = end ? -detail::kDifference : detail::kDifference;
+  Points velocity;
+  for (std::size_t j = 0; j < detail::kStencil.size(); ++j) {
+    const Points at = points_at((end ? 1.0 : 0.0) + static_cast<double>(j) * difference);
+    if (j == 0) velocity = Points(at.dim(), at.size());
+    add(velocity.data(), detail::kStencil[j] / difference, at.data());
+  }
+  return velocity;
+}
+
 }  // namespace
 
 Morph::Morph(std::span<const Shape> keys, const MorphOptions& options) : key_count_(keys.size()) {
@@ -80,6 +99,7 @@ Morph::Morph(std::span<const Shape> keys, const MorphOptions& options) : key_cou
   if (!is_known(blend)) {
     throw InvalidArgument("morph: curves in space blend by affine, bezier and hermite only");
   }
+  times_ = detail::chosen_times(options.times, keys.size());
   fill_rule_ = common_fill_rule(keys);
   InStep in_step = put_in_step(keys, fill_rule_ == FillRule::nonzero, options);
   cancelled_ = in_step.cancelled;
@@ -92,6 +112,7 @@ Morph::Morph(std::span<const Shape> keys, const MorphOptions& options) : key_cou
   contours_ = std::move(in_step.contours);
   matches_ = std::move(in_step.matches);
   if (blend == BlendKind::hermite) blend_by_hermite();
+  if (options.smooth && key_count_ > 2) bend_steps();
 }
 
 void Morph::blend_by_hermite() {
@@ -105,6 +126,58 @@ void Morph::blend_by_hermite() {
           CubicPath(frames_[key].from_second(paths[key + 1].control_points()), closed));
     }
     for (std::size_t key = 0; key < paths.size(); ++key) contours_[c][key] = to_curve(paths[key]);
+  }
+}
+
+Morph Morph::in_step(std::span<const Curve> curves, const MorphOptions& options) {
+  if (curves.size() < 2) {
+    throw InvalidArgument(fmt::format("morph: {} curves, expected at least 2", curves.size()));
+  }
+  for (std::size_t i = 1; i < curves.size(); ++i) {
+    const Interval domain = curves[i].domain();
+    const Interval first = curves[0].domain();
+    if (domain == first) continue;
+    throw InvalidArgument(fmt::format("morph: curve {} is over [{}, {}], expected [{}, {}] as curve 0", i,
+                                      domain.lo, domain.hi, first.lo, first.hi));
+  }
+  Morph morph;
+  morph.key_count_ = curves.size();
+  morph.times_ = detail::chosen_times(options.times, curves.size());
+  morph.contours_.push_back(with_common_denominator(curves));
+  morph.frames_.assign(curves.size() - 1, MovingFrame(curves[0].dim()));
+  morph.matches_.assign(curves.size() - 1, std::vector<std::optional<Match>>(1));
+  if (options.smooth && curves.size() > 2) morph.bend_steps();
+  return morph;
+}
+
+Points Morph::step_points(std::size_t step, std::size_t contour, double local) const {
+  if (!hermite_.empty()) {
+    return frames_[step].place(hermite_[step][contour].at(local).control_points(), local);
+  }
+  const std::vector<Curve>& keys = contours_[contour];
+  return affine_blend(frames_[step], keys[step].control_points(), keys[step + 1].control_points(), local);
+}
+
+void Morph::bend_steps() {
+  for (std::size_t c = 0; c < contours_.size(); ++c) {
+    const Points none(contours_[c].front().dim(), contours_[c].front().control_points().size());
+    std::vector<Bend>& bends = bends_.emplace_back(frames_.size(), Bend{none, none});
+    for (std::size_t k = 0; k + 1 < frames_.size(); ++k) {
+      const auto velocity_of = [&](std::size_t step, bool end) {
+        return velocity(end, [&](double local) { return step_points(step, c, local); });
+      };
+      const Points before = velocity_of(k, true);
+      const Points after = velocity_of(k + 1, false);
+      const double first = times_[k + 1] - times_[k];
+      const double second = times_[k + 2] - times_[k + 1];
+      const detail::KeyVelocity share(first, second);
+      Points& end = bends[k].end;
+      add(end.data(), first * share.before - 1.0, before.data());
+      add(end.data(), first * share.after, after.data());
+      Points& start = bends[k + 1].start;
+      add(start.data(), second * share.before, before.data());
+      add(start.data(), second * share.after - 1.0, after.data());
+    }
   }
 }
 
@@ -124,38 +197,27 @@ Morph::Morph(const Curve& a, const Curve& b, const Match& match) : key_count_(2)
 }
 
 Shape Morph::at(double s) const {
-  const auto [key, local] = locate_key(s, key_count_);
+  const auto [key, local] = locate_key(s, times_);
   Shape shape;
   shape.fill_rule = fill_rule_;
   shape.contours.reserve(contours_.size());
   for (std::size_t c = 0; c < contours_.size(); ++c) {
-    const Curve& a = contours_[c][key];
-    const Curve& b = contours_[c][key + 1];
+    const std::vector<Curve>& curves = contours_[c];
+    const Curve& a = curves[key];
+    const Curve& b = curves[key + 1];
     // At the keys themselves the products below would be exact as well, but for the sign of zero.
     if (local == 0.0 || local == 1.0) {
       shape.contours.push_back(local == 0.0 ? a : b);
       continue;
     }
-    Points points = hermite_.empty()
-                        ? affine_blend(frames_[key], a.control_points(), b.control_points(), local)
-                        : frames_[key].place(hermite_[key][c].at(local).control_points(), local);
+    Points points = step_points(key, c, local);
+    if (!bends_.empty() && local > 0.0 && local < 1.0) {
+      add(points.data(), detail::at_start(local), bends_[c][key].start.data());
+      add(points.data(), detail::at_end(local), bends_[c][key].end.data());
+    }
     shape.contours.emplace_back(a.degree(), a.knots(), std::move(points), a.weights());
   }
   return shape;
-}
-
-KeyPosition locate_key(double s, std::size_t key_count) {
-  if (key_count < 2) {
-    throw InvalidArgument(fmt::format("morph: {} keys, expected at least 2", key_count));
-  }
-  if (!std::isfinite(s)) throw InvalidArgument(fmt::format("morph: s is {}, expected a finite number", s));
-  const double last = static_cast<double>(key_count - 1);
-  double x = s * last;
-  // i / last * last may miss i by a rounding; a key's own s must give the key.
-  const double nearest = std::round(x);
-  if (nearest / last == s) x = nearest;
-  const double key = std::clamp(std::floor(x), 0.0, last - 1.0);
-  return {static_cast<std::size_t>(key), x - key};
 }
 
 }  // namespace v0

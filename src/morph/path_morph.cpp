@@ -7,7 +7,9 @@
 #include <cmath>
 #include <utility>
 
+#include "morph/chosen_times.h"
 #include "morph/length_center.h"
+#include "morph/smooth_steps.h"
 #include "morph/step_blend.h"
 #include "morph/step_search.h"
 #include "shape/third.h"
@@ -108,6 +110,9 @@ struct PathMorph::State {
   std::vector<FramePose> poses;
   std::vector<MorphStep> steps;
   std::vector<StepBlend> blends;
+  std::vector<double> times;  ///< of the keys
+  std::optional<detail::SmoothSteps> smooth;
+  std::vector<double> pace;  ///< of the keys
   bool turns = false;
   bool linear = true;
   bool cancelled = false;
@@ -115,12 +120,16 @@ struct PathMorph::State {
 
   // One contour, `local` of the way from a key to the next.
   void contour_at(std::size_t key, double local, std::size_t contour, std::span<double> points) const {
-    blends[key].at(local, contour, points);
+    if (smooth) {
+      smooth->at(blends[key], key, local, contour, points);
+    } else {
+      blends[key].at(local, contour, points);
+    }
     if (closed[contour]) std::copy_n(points.begin(), 2, points.end() - 2);
   }
 
   [[nodiscard]] std::vector<CubicPath> at(double s) const {
-    const auto [key, local] = locate_key(s, key_count);
+    const auto [key, local] = locate_key(s, times);
     std::vector<CubicPath> paths;
     paths.reserve(contours.size());
     for (std::size_t c = 0; c < contours.size(); ++c) {
@@ -132,7 +141,7 @@ struct PathMorph::State {
   }
 
   void at(double s, std::span<double> coordinates) const {
-    const auto [key, local] = locate_key(s, key_count);
+    const auto [key, local] = locate_key(s, times);
     for (std::size_t c = 0; c < contours.size(); ++c) {
       const std::size_t size = blends[key].size(c);
       contour_at(key, local, c, coordinates.first(size));
@@ -141,7 +150,8 @@ struct PathMorph::State {
   }
 
   [[nodiscard]] FramePose pose_at(double s) const {
-    const auto [key, local] = locate_key(s, key_count);
+    const auto [key, local] = locate_key(s, times);
+    if (smooth && turns) return smooth->pose_at(key, local);
     const FramePose& first = poses[key];
     const FramePose& second = poses[key + 1];
     return {{(1.0 - local) * first.center.x + local * second.center.x,
@@ -276,6 +286,7 @@ PathMorph::PathMorph(std::span<const Shape> keys, const MorphOptions& options, d
   }
   auto state = std::make_unique<State>();
   state->key_count = keys.size();
+  state->times = detail::chosen_times(options.times, keys.size());
   MorphOptions own = options;
   own.cuts = options.cuts && keys.size() == 2;  // keys before and after a cut would have to follow it
   Builder builder(own);
@@ -299,12 +310,6 @@ PathMorph::PathMorph(std::span<const Shape> keys, const MorphOptions& options, d
     }
     const detail::PlanarFrame& frame = found.candidate.frame;
     state->blends.emplace_back(found.kind, frame, ends);
-    for (std::size_t t = 0; t < builder.detours()[k].size(); ++t) {
-      state->blends.back().set_detour(t, builder.detours()[k][t]);
-      const Track& track = builder.tracks()[t];
-      if (track.piece) state->blends.back().set_outlines(t, {track.keys[k], track.keys[k + 1]});
-    }
-    state->linear = state->linear && state->blends.back().is_linear();
     const double degrees = found.kind == BlendKind::bezier ? 0.0 : frame.degrees();
     state->turns = state->turns || degrees != 0.0;
     state->poses[k + 1].degrees = state->poses[k].degrees + degrees;
@@ -321,8 +326,24 @@ PathMorph::PathMorph(std::span<const Shape> keys, const MorphOptions& options, d
     }
     state->steps.push_back(std::move(step));
   }
-  if (state->turns) {
-    for (std::size_t k = 0; k < keys.size(); ++k) state->poses[k].center = center_of(keys[k]);
+  std::vector<FramePose> centered = state->poses;
+  for (std::size_t k = 0; k < keys.size(); ++k) centered[k].center = center_of(keys[k]);
+  if (state->turns) state->poses = centered;
+  const bool smooth = options.smooth && keys.size() > 2;
+  if (smooth) state->smooth.emplace(state->blends, state->times, std::move(centered));
+  for (std::size_t k = 0; k < state->blends.size(); ++k) {
+    for (std::size_t t = 0; t < builder.detours()[k].size(); ++t) {
+      state->blends[k].set_detour(t, builder.detours()[k][t]);
+      const Track& track = builder.tracks()[t];
+      if (track.piece) state->blends[k].set_outlines(t, {track.keys[k], track.keys[k + 1]});
+    }
+    if (smooth) state->blends[k].make_detours_gentle();
+    state->linear = state->linear && !smooth && state->blends[k].is_linear();
+  }
+  state->pace.assign(keys.size(), 1.0);
+  if (smooth) {
+    state->smooth->find_pace(state->blends);
+    state->pace = state->smooth->pace();
   }
   for (const Track& track : builder.tracks()) {
     PathContour contour;
@@ -394,6 +415,18 @@ bool PathMorph::turns() const noexcept {
 
 const std::vector<FramePose>& PathMorph::poses() const noexcept {
   return state_->poses;
+}
+
+const std::vector<double>& PathMorph::key_times() const noexcept {
+  return state_->times;
+}
+
+bool PathMorph::is_smooth() const noexcept {
+  return state_->smooth.has_value();
+}
+
+const std::vector<double>& PathMorph::pace() const noexcept {
+  return state_->pace;
 }
 
 bool PathMorph::is_linear() const noexcept {

@@ -146,7 +146,16 @@ MorphQuality measure_quality(const Motion& motion, const QualityOptions& options
 
 MorphQuality measure_quality(const PathMorph& morph, QualityOptions options) {
   options.key_count = morph.key_count();
-  return measure_quality(Motion([&](double s) { return morph.at(s); }), options);
+  // The same number of in-betweens on every step, however long it takes.
+  const auto s_at = [&](double even) {
+    const KeyPosition at = locate_key(even, morph.key_count());
+    const std::vector<double>& times = morph.key_times();
+    if (at.local == 1.0) return times[at.key + 1];
+    return times[at.key] + at.local * (times[at.key + 1] - times[at.key]);
+  };
+  MorphQuality quality = measure_quality(Motion([&](double even) { return morph.at(s_at(even)); }), options);
+  if (quality.first) quality.first->s = s_at(quality.first->s);
+  return quality;
 }
 
 }  // namespace v0

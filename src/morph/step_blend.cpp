@@ -95,7 +95,9 @@ void StepBlend::at(double s, std::size_t contour, std::span<double> points) cons
   // Beyond the ends there is nothing to be avoided.
   if (c.detour.is_none() || s <= 0.0 || s >= 1.0) return;
   const double off = (2.0 * s - 1.0) * (2.0 * s - 1.0);
-  const double bump = 1.0 - off * off;
+  // Gentle: as high nearly everywhere, and flat at both ends.
+  const double bump =
+      gentle_ ? (1.0 - off * off * off * off) * (1.0 - off * off * off * off) : 1.0 - off * off;
   if (c.filter) c.filter->apply(bump * c.detour.width, points);
   if (c.detour.shrink == 0.0 && c.detour.offset == Vec2{}) return;
   const Vec2 center = center_of_edges(points);

@@ -42,6 +42,8 @@ class StepBlend {
   /// Lets a contour start and end as `drawn`, which has its segments, from and to where its blend is on its
   /// own: chords of pieces come in from the outline, and go out to it, fast but smoothly.
   void set_outlines(std::size_t contour, const ContourEnds& drawn);
+  /// Lets detours begin and end at rest, and so without a break of velocity.
+  void make_detours_gentle() noexcept { gentle_ = true; }
 
   [[nodiscard]] std::size_t contour_count() const noexcept { return contours_.size(); }
   /// Number of coordinates of a contour.
@@ -80,6 +82,7 @@ class StepBlend {
   };
   PlanarFrame frame_;
   std::vector<Contour> contours_;
+  bool gentle_ = false;
 };
 
 }  // namespace detail

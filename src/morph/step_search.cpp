@@ -10,6 +10,7 @@
 #include "morph/measures.h"
 #include "morph/score.h"
 #include "morph/settle_blend.h"
+#include "morph/wants_turns.h"
 #include "tandem/match/rotation.h"
 
 namespace tandem {
@@ -42,11 +43,6 @@ constexpr std::size_t kMostHelpful = 3;
 bool is_tangent_norm(const MatchOptions& options) {
   const auto* kind = std::get_if<NormKind>(&options.norm);
   return kind != nullptr && *kind == NormKind::tangent;
-}
-
-bool wants_turns(const MatchOptions& options) {
-  if (!options.rotation.empty()) return false;
-  return options.rotate.value_or(is_tangent_norm(options) || std::holds_alternative<UserNorm>(options.norm));
 }
 
 // Variants stand in for the default only: what a caller asks for is what is done.

@@ -101,7 +101,7 @@ wrong '--size' morph "$square" "$triangle" -o out.gif --size 0
 wrong '--size' morph "$square" "$triangle" -o out.gif --size 9000
 wrong '--precision' morph "$square" "$triangle" -o out.svg --precision -1
 wrong '50 a second' morph "$square" "$triangle" -o out.gif --duration 1 --frames 52
-wrong '--to takes one of lottie, avd, json, svg, html, css, gif, png, not' morph "$square" "$triangle" -o - --to tiff
+wrong '--to takes one of lottie, avd, json, svg, html, css, gif, png, csv, not' morph "$square" "$triangle" -o - --to tiff
 wrong 'takes one number' morph "$square" "$triangle" -o out.svg --at 0,1
 wrong 'exclude each other' morph "$square" "$triangle" -o - --at 0 --frames 3
 wrong '--frames' morph "$square" "$triangle" -o - --frames 1
@@ -112,6 +112,16 @@ wrong '--easing' morph "$square" "$triangle" -o out.svg --easing bouncy
 wrong '--easing' morph "$square" "$triangle" -o out.svg --easing 2,0,1,1
 wrong '--easing' morph "$square" "$triangle" -o out.svg --easing 0,nan,1,1
 wrong '--easing' morph "$square" "$triangle" -o out.svg --easing ''
+wrong '--easing' morph "$square" "$triangle" "$square" -o out.svg --easing 'ease;'
+wrong '--easing takes one easing for all, or one for each of the 2 steps' morph "$square" "$triangle" "$square" -o out.svg --easing 'ease;ease;ease'
+wrong '--easing takes one easing for all' morph "$square" "$triangle" -o out.svg --easing ease --easing ease
+wrong '--times takes a time for each of the 3 shapes' morph "$square" "$triangle" "$square" -o out.svg --times 0,1
+wrong '--times takes times that rise from 0 to 1,' morph "$square" "$triangle" "$square" -o out.svg --times 0,0.5,0.9
+wrong '--times takes times that rise from 0 to 100%' morph "$square" "$triangle" "$square" -o out.svg --times 0%,50%,90%
+wrong '--times takes times that rise from 0 to the duration' morph "$square" "$triangle" "$square" -o out.svg --times 0s,2s,1s
+wrong '--times takes times of one kind' morph "$square" "$triangle" "$square" -o out.svg --times 0,50%,1
+wrong '--times' morph "$square" "$triangle" "$square" -o out.svg --times 0,x,1
+wrong '--duration does not go with' morph "$square" "$triangle" "$square" -o out.svg --times 0s,1s,2s --duration 2
 wrong 'convert needs -o' convert "$square"
 wrong 'ending' convert "$square" -o out.html
 wrong ending convert "$square" -o out

@@ -45,7 +45,7 @@ TEST(HtmlPlayer, HoldsTheKeysAsNumbers) {
   EXPECT_EQ(data["rule"], "nonzero");  // nothing crosses, so the contours are wound for it
   EXPECT_EQ(data["duration"], 1.5);
   EXPECT_EQ(data["alternate"], true);
-  EXPECT_EQ(data["easing"], nlohmann::json({0.25, 0.1, 0.25, 1.0}));
+  EXPECT_EQ(data["easings"], nlohmann::json::array({{0.25, 0.1, 0.25, 1.0}}));
   ASSERT_EQ(data["contours"].size(), 1u);
   const nlohmann::json& contour = data["contours"][0];
   EXPECT_EQ(contour["closed"], true);

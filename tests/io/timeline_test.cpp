@@ -1,5 +1,6 @@
 #include "io/timeline.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
@@ -71,11 +72,11 @@ TEST(Timeline, FramesBetweenKeysShareTheEasing) {
     const double y1 = number();
     const double x2 = *rc::gen::inRange(static_cast<int>(x1 * 100), 100) / 100.0;
     const double y2 = *rc::gen::inRange(static_cast<int>(y1 * 100), 100) / 100.0;
-    const Easing easing{x1, y1, x2, y2};
+    const AnimationOptions options{.easing = fmt::format("{} {} {} {}", x1, y1, x2, y2)};
     const KeyFrames keys = frames_at({0, 0.4, 1}, {0, 1, 2});
     const KeyFrames more = frames_at({0, 0.1, 0.2, 0.4, 0.55, 0.7, 0.85, 1}, {0, 3, 7});
-    const std::vector<TimelineStep> plain = forward_timeline(keys, easing);
-    const std::vector<TimelineStep> fine = forward_timeline(more, easing);
+    const std::vector<TimelineStep> plain = forward_timeline(keys, options);
+    const std::vector<TimelineStep> fine = forward_timeline(more, options);
     RC_ASSERT(fine.size() == 8u);
     for (int i = 0; i <= 100; ++i) {
       RC_ASSERT(std::fabs(played(keys, plain, i / 100.0) - played(more, fine, i / 100.0)) <= 1e-9);
@@ -83,9 +84,36 @@ TEST(Timeline, FramesBetweenKeysShareTheEasing) {
   }));
 }
 
+TEST(Timeline, EveryStepMayHaveItsOwnEasing) {
+  const KeyFrames frames = frames_at({0, 0.1, 0.3, 0.8, 1}, {0, 2, 4});
+  const std::vector<TimelineStep> steps = forward_timeline(frames, {.easing = "ease-in ; 0 0 0.58 1"});
+  const Easing first = parse_easing("ease-in");
+  const Easing second = parse_easing("ease-out");
+  for (const double x : {0.0, 0.05, 0.2, 0.3, 0.5, 0.95, 1.0}) {
+    const double wanted = x < 0.3 ? 0.3 * eased(first, x / 0.3) : 0.3 + 0.7 * eased(second, (x - 0.3) / 0.7);
+    EXPECT_NEAR(played(frames, steps, x), wanted, 1e-9) << x;
+  }
+  for (const char* bad : {"linear;linear;linear", "linear;", ";", "linear;fast"}) {
+    EXPECT_THROW((void)forward_timeline(frames, {.easing = bad}), InvalidArgument) << bad;
+  }
+}
+
+TEST(Timeline, OneEasingTimesTheWholeOfASmoothMotion) {
+  KeyFrames frames = frames_at({0, 0.1, 0.3, 0.8, 1}, {0, 2, 4});
+  frames.smooth = true;
+  const Easing easing = parse_easing("ease-in-out");
+  const std::vector<TimelineStep> steps = forward_timeline(frames, {.easing = "ease-in-out"});
+  for (const double x : {0.0, 0.05, 0.2, 0.3, 0.5, 0.95, 1.0}) {
+    EXPECT_NEAR(played(frames, steps, x), eased(easing, x), 1e-9) << x;
+  }
+  // One for every step is what it says.
+  const std::vector<TimelineStep> each = forward_timeline(frames, {.easing = "ease-in-out;ease-in-out"});
+  EXPECT_NEAR(played(frames, each, 0.3), 0.3, 1e-9);
+}
+
 TEST(Timeline, KeepsControlsWithinBounds) {
   // Stands still for a moment in the middle: the one curve whose parts have controls beyond their ends.
-  const Easing standing{1, 0, 0, 1};
+  const AnimationOptions standing{.easing = "1 0 0 1"};
   const KeyFrames frames = frames_at({0, 0.03, 0.1, 0.5, 0.9, 1}, {0, 5});
   for (const TimelineStep& step : forward_timeline(frames, standing)) {
     for (const double x : {step.easing.x1, step.easing.y1, step.easing.x2, step.easing.y2}) {

@@ -46,13 +46,13 @@ smil_row() { # FILE.svg
 }
 
 times=(0 0.3 0.8 1.3 1.999) # seconds of 2
-check() { # NAME EASING SHAPE...
-  local name=$1 easing=$2 positions=()
-  shift 2
-  for time in "${times[@]}"; do positions+=("$(eased "$easing" "$time" $(($# - 1)))"); done
+check() { # NAME EASING TIMES SHAPE...
+  local name=$1 easing=$2 key_times=$3 positions=()
+  shift 3
+  for time in "${times[@]}"; do positions+=("$(eased "$easing" "$time" "$key_times")"); done
   our_sheet "$name" "${positions[@]}" -- "$@"
-  expect 0 morph "$@" -o "$name.svg" --easing "$easing" --quiet
-  expect 0 morph "$@" -o "$name.css" --easing "$easing" --quiet
+  expect 0 morph "$@" "${timing[@]}" -o "$name.svg" --easing "$easing" --quiet
+  expect 0 morph "$@" "${timing[@]}" -o "$name.css" --easing "$easing" --quiet
   local rows=("$name.smil" "$name.css") svg row
   svg=$(sed -n '1s|^/\* \(.*\) \*/$|\1|p' "$name.css")
   {
@@ -61,7 +61,7 @@ check() { # NAME EASING SHAPE...
     css_row "$name.css" "$svg"
   } >"$name.html"
   if [[ $name != open ]]; then
-    expect 0 morph "$@" -o "$name.clip.css" --css clip-path --name clip --size "$size" --easing "$easing" --quiet
+    expect 0 morph "$@" "${timing[@]}" -o "$name.clip.css" --css clip-path --name clip --size "$size" --easing "$easing" --quiet
     css_row "$name.clip.css" '<div class="clip"></div>' >>"$name.html"
     rows+=("$name.clip")
   fi
@@ -69,11 +69,18 @@ check() { # NAME EASING SHAPE...
   for row in "${rows[@]}"; do same_picture "$row.png" "$name.ours.png"; done
 }
 
-check icon linear "$DATA/icons/heart.svg" "$DATA/icons/star.svg"
+check icon linear 0,1 "$DATA/icons/heart.svg" "$DATA/icons/star.svg"
 other_picture icon.smil.png icon.ours.png
-check holes 0.42,0,0.58,1 "$DATA/icons/cat.svg" "$DATA/icons/bird.svg"
-check turn 0.25,0.1,0.25,1 'M0 0H9V2H3V5H0Z' 'M0 0V9H-2V3H-5V0Z' 'M0 0H9V9H0Z'
-check open linear 'M0 0C1 5 5 5 9 0' 'M0 0C5 -5 5 5 9 9'
+check holes 0.42,0,0.58,1 0,1 "$DATA/icons/cat.svg" "$DATA/icons/bird.svg"
+check turn 0.25,0.1,0.25,1 0,0.5,1 'M0 0H9V2H3V5H0Z' 'M0 0V9H-2V3H-5V0Z' 'M0 0H9V9H0Z'
+check open linear 0,1 'M0 0C1 5 5 5 9 0' 'M0 0C5 -5 5 5 9 9'
+
+# Keys at times of their own, every step with its own easing; and a smooth way that is eased as a whole.
+timing=(--times 0,0.3,1)
+check timed '0.42,0,1,1;0,0,0.58,1' 0,0.3,1 "$DATA/icons/heart.svg" "$DATA/icons/star.svg" "$DATA/icons/cat.svg"
+timing=(--times 0,0.6,1 --smooth)
+check smooth 0.42,0,0.58,1 0,1 'M0 0H9V2H3V5H0Z' 'M0 0V9H-2V3H-5V0Z' 'M0 0H9V9H0Z'
+timing=()
 
 # The player rests where its address says, with the points of our own in-between.
 expect 0 morph "$DATA/icons/heart.svg" "$DATA/icons/star.svg" -o player.html --quiet
@@ -82,6 +89,22 @@ ours=$(grep -o '"d": "[^"]*"' <<<"$out" | head -1)
 theirs=$(browse --dump-dom "file://$work/player.html#s=0.37" | grep -o '<path class="fill" id="fill"[^>]* d="[^"]*"' | sed 's/.* d=/d=/')
 that "the player's in-between" same_numbers "$ours" "$theirs"
 that "another in-between is another" other_numbers "$ours" "${theirs/M/M1}"
+
+# Motions: the plot at a place is the one of our own in-between.
+printf 'time,a,b,c\n0,0,1,2\n1,3,1,0\n2,1,5,1\n3,0,2,2\n' >slow.csv
+printf 'time,a,b,c\n0,1,1,2\n2,5,1,0\n3,1,4,3\n5,0,2,1\n' >fast.csv
+expect 0 morph slow.csv fast.csv -o motions.html --quiet
+expect 0 morph slow.csv fast.csv -o motions.svg --at 0.37 --quiet
+ours=$(grep -o 'class="motion between" [^>]*' motions.svg | head -1 | sed 's/.* d=/d=/')
+theirs=$(browse --dump-dom "file://$work/motions.html#s=0.37" | grep -o '<path class="now"[^>]*' | head -1 | sed 's/.* d=/d=/')
+near() { # TEXT TEXT: the same numbers within a tenth of a pixel
+  paste <(grep -oE -- '-?[0-9.]+' <<<"$1") <(grep -oE -- '-?[0-9.]+' <<<"$2") |
+    awk '{ n++; if (NF != 2 || ($1 - $2) ^ 2 > 0.01) bad++ } END { exit !(n > 100 && !bad) }'
+}
+far() { ! near "$@"; }
+that "the plot of the in-between" near "$ours" "$theirs"
+theirs=$(browse --dump-dom "file://$work/motions.html#s=0.5" | grep -o '<path class="now"[^>]*' | head -1 | sed 's/.* d=/d=/')
+that "another in-between has another plot" far "$ours" "$theirs"
 
 # Who prefers reduced motion sees the last shape, at rest.
 preferences=(--force-prefers-reduced-motion)

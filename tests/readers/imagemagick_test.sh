@@ -28,7 +28,7 @@ that "8 frames round and round" test "$(identify round.gif | wc -l)" == 8
 # Pixels: every frame is the in-between of its time, with the eased s; frames hold only what has changed.
 times=(0 0.4 0.8 1.2 1.6 2)
 positions=()
-for time in "${times[@]}"; do positions+=("$(eased 0.42,0,1,1 "$time" 1)"); done
+for time in "${times[@]}"; do positions+=("$(eased 0.42,0,1,1 "$time" 0,1)"); done
 our_sheet gif "${positions[@]}" -- "${shapes[@]}"
 expect 0 morph "${shapes[@]}" -o eased.gif --easing ease-in --play once --frames 6 --size "$size" --quiet
 mkdir frames

@@ -2,6 +2,7 @@
 
 size=160         # pixels of the longer side of a cell
 width= height=   # of a cell, known after our_sheet
+timing=()        # options of the morph: --times, --smooth
 readonly alike=0.004 # mean difference, a share of white, of pictures that show the same: rasterisers disagree on edges
 
 skip() {
@@ -16,16 +17,20 @@ need_imagemagick() {
   done
 }
 
-# eased X1,Y1,X2,Y2 TIME STEPS: s at that time of 2 seconds, over so many steps from key to key.
+# eased X1,Y1,X2,Y2[;...] TIME TIMES: s at that time of 2 seconds, when keys stand at TIMES (0,0.5,1) and every step has
+# its own easing, or all have one.
 eased() {
-  awk -v easing="$1" -v time="$2" -v steps="$3" '
+  awk -v easings="$1" -v time="$2" -v times="$3" '
     function bezier(p, q, t) { return 3 * p * t * (1 - t) ^ 2 + 3 * q * t * t * (1 - t) + t ^ 3 }
     BEGIN {
-      if (split(easing, c, ",") != 4) split("0,0,1,1", c, ",")
-      x = time / 2 * steps; key = int(x); if (key == steps) key--
+      keys = split(times, at, ","); x = time / 2
+      for (key = 1; key < keys - 1 && x >= at[key + 1];) ++key
+      each = split(easings, easing, ";")
+      if (split(easing[each == 1 ? 1 : key], c, ",") != 4) split("0,0,1,1", c, ",")
+      length_ = at[key + 1] - at[key]
       lo = 0; hi = 1
-      for (i = 0; i < 60; ++i) { middle = (lo + hi) / 2; if (bezier(c[1], c[3], middle) < x - key) lo = middle; else hi = middle }
-      printf "%.9f", (key + bezier(c[2], c[4], lo)) / steps
+      for (i = 0; i < 60; ++i) { middle = (lo + hi) / 2; if (bezier(c[1], c[3], middle) < (x - at[key]) / length_) lo = middle; else hi = middle }
+      printf "%.9f", at[key] + bezier(c[2], c[4], lo) * length_
     }'
 }
 
@@ -37,7 +42,7 @@ our_sheet() {
   shift
   local at
   at=$(IFS=, && echo "${positions[*]}")
-  expect 0 morph "$@" -o "$name.frames/" --to png --at "$at" --size "$size" --quiet
+  expect 0 morph "$@" ${timing[@]+"${timing[@]}"} -o "$name.frames/" --to png --at "$at" --size "$size" --quiet
   read -r width height < <(identify -format '%w %h\n' "$name.frames/frame_000.png")
   montage "$name.frames/"*.png -background white -geometry +0+0 -tile "${#positions[@]}x1" -alpha remove "$name.ours.png"
 }

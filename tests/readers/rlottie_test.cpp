@@ -53,10 +53,10 @@ double difference(const std::vector<std::uint32_t>& pixels, const Raster& raster
 }
 
 void expect_the_same(const std::vector<std::string>& names, const AnimationOptions& options,
-                     FillRule fill_rule = FillRule::nonzero) {
+                     FillRule fill_rule = FillRule::nonzero, const MorphOptions& keys_at = {}) {
   std::vector<Shape> keys;
   for (const std::string& name : names) keys.push_back(load_shape(name, {.fill_rule = fill_rule}));
-  const PathMorph morph = test::path_morph(keys);
+  const PathMorph morph = test::path_morph(keys, keys_at);
   const Played played = play(format_lottie(morph, names.front(), options, kSize));
   const View view = view_of(morph.box());
   const Canvas canvas = canvas_of(view, kSize);
@@ -92,6 +92,17 @@ TEST(Rlottie, ShowsHolesAndEasing) {
 TEST(Rlottie, ShowsTurnsOverSeveralKeys) {
   expect_the_same({"M0 0H9V2H3V5H0Z", "M0 0V9H-2V3H-5V0Z", "M0 0H9V9H0Z"},
                   {.duration = 0.5, .easing = "ease"});
+}
+
+TEST(Rlottie, ShowsTimesAndEasingsOfSteps) {
+  expect_the_same({icon("heart"), icon("star"), icon("heart")}, {.duration = 0.5, .easing = "ease-in;linear"},
+                  FillRule::nonzero, {.times = {0, 0.3, 1}});
+}
+
+TEST(Rlottie, ShowsSmoothKeys) {
+  expect_the_same({"M0 0H9V2H3V5H0Z", "M0 0V9H-2V3H-5V0Z", "M0 0H9V9H0Z"},
+                  {.duration = 0.5, .easing = "ease-in-out"}, FillRule::nonzero,
+                  {.times = {0, 0.4, 1}, .smooth = true});
 }
 
 TEST(Rlottie, ShowsOpenLines) {

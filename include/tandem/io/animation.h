@@ -9,7 +9,8 @@ inline namespace v0 {
 struct AnimationOptions {
   double duration = 2.0;  ///< seconds from the first key to the last
   /// From each key to the next: "linear", "ease", "ease-in", "ease-out", "ease-in-out" or "x1 y1 x2 y2", all
-  /// in [0,1].
+  /// in [0,1]. One for all steps, or one for each, separated by semicolons. A single one of a smooth morph
+  /// (MorphOptions::smooth) times the whole way at once: nothing rests on the keys between.
   std::string easing = "linear";
   bool alternate = true;  ///< run back again
   bool repeat = true;     ///< for ever; otherwise once, and then rest at the end

@@ -1,9 +1,13 @@
 #pragma once
 
+#include <cstddef>
+#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "tandem/curve/curve.h"
+#include "tandem/curve/points.h"
 #include "tandem/tandem_io_export.h"
 
 namespace tandem {
@@ -17,6 +21,23 @@ inline namespace v0 {
 /// @throws ParseError a malformed number, rows of different length, fewer than two rows, time that does not
 /// increase
 [[nodiscard]] TANDEM_IO_EXPORT Curve parse_csv(std::string_view text, const std::string& source = "csv");
+
+/// A curve with what else its table says.
+struct CsvTable {
+  Curve curve;
+  /// Names of the time column and of the values, as the header has them; "t", "x1", "x2", ... without one.
+  std::vector<std::string> columns;
+  std::size_t rows = 0;
+};
+
+/// As parse_csv().
+[[nodiscard]] TANDEM_IO_EXPORT CsvTable parse_csv_table(std::string_view text,
+                                                        const std::string& source = "csv");
+
+/// A header, quoted where it must be, and a line per point; numbers that read back equal.
+/// @throws InvalidArgument other numbers of columns than coordinates
+[[nodiscard]] TANDEM_IO_EXPORT std::string format_csv(const Points& rows,
+                                                      std::span<const std::string> columns);
 
 }  // namespace v0
 }  // namespace tandem

@@ -26,9 +26,12 @@ struct TANDEM_EXPORT KeyFrames {
   /// One per frame, when the paths are as the turning frame sees them; empty when they lie where they are
   /// drawn.
   std::vector<FramePose> poses;
+  /// The motion passes the keys without a break of velocity: one easing may time it from end to end.
+  bool smooth = false;
   Box box;  ///< around all in-betweens, where they are drawn
   /// How far control points of the linear blends are from those of the motion at most, as a share of the
-  /// diagonal of `box`: the largest that was found at seven places between any two frames.
+  /// diagonal of `box` (with poses: plus how far these carry them off): the largest that was found at seven
+  /// places between any two frames.
   double max_error = 0.0;
 };
 

@@ -49,7 +49,14 @@ struct MorphStep {
 };
 
 /// A morph through planar key shapes as compatible cubic paths: what SVG, CSS, Lottie and the HTML player
-/// speak. Matching happens once, in the constructor; at(s) only blends. Key i stands at s = i / (n - 1).
+/// speak. Matching happens once, in the constructor; at(s) only blends. Keys stand where MorphOptions::times
+/// says.
+///
+/// With MorphOptions::smooth the motion has one velocity on both sides of a key: the mean of the velocities
+/// of the two steps that meet there, weighted as in a parabola through three keys. On the way from key to key
+/// the step's own blend is bent by cubic Hermite functions to meet those, and so is the pose of the frame.
+/// Where that would make in-betweens cross or fold that did not, collapse or turn inside out, outlines pass
+/// the key at a half or a quarter of that speed, or rest on it (pace()).
 ///
 /// The keys are redrawn exactly where they are polynomial of degree <= 3, within `tolerance` of their
 /// diagonal otherwise; all with the same segments. ClosedMode::yes closes their open contours by lines.
@@ -85,6 +92,12 @@ class TANDEM_EXPORT PathMorph {
   [[nodiscard]] bool turns() const noexcept;
   /// One per key.
   [[nodiscard]] const std::vector<FramePose>& poses() const noexcept;
+  /// The s at which the keys stand.
+  [[nodiscard]] const std::vector<double>& key_times() const noexcept;
+  /// Whether the motion passes its keys without a break of velocity: as asked for, with three keys or more.
+  [[nodiscard]] bool is_smooth() const noexcept;
+  /// Of a smooth morph: at which share of its speed each key is passed, 1 wherever nothing crosses for it.
+  [[nodiscard]] const std::vector<double>& pace() const noexcept;
   /// Whether in_frame(s) runs straight from key to key, so that the keys and their poses say it all.
   [[nodiscard]] bool is_linear() const noexcept;
   /// One per pair of neighbouring keys; its contours are those of contours().
