@@ -192,6 +192,7 @@ Ring make_ring(ContourStack& stack, const std::vector<Vector3>& points, double h
 /// Depths by the even-odd rule, and with them directions.
 void nest(std::vector<Ring>& rings, const std::vector<Vec2>& places) {
   std::vector<double> areas;
+  areas.reserve(rings.size());
   for (const Ring& ring : rings) areas.push_back(std::abs(twice_area(ring.loop, places)));
   for (std::size_t i = 0; i < rings.size(); ++i) {
     double smallest = 0.0;

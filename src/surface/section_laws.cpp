@@ -18,6 +18,9 @@ inline namespace v0 {
 namespace detail {
 namespace {
 
+/// Points of a path nearer than this share of the period are one, apart by the rounding of shifted seams.
+constexpr double kSamePlace = 1e-10;
+
 std::vector<ParameterPair> pins_between(const SkinOptions& options, std::size_t section) {
   std::vector<ParameterPair> pins;
   for (const std::vector<double>& pin : options.pins) pins.push_back({pin[section], pin[section + 1]});
@@ -47,14 +50,19 @@ Correspondence with_points_at(Correspondence c, const std::vector<double>& joint
                               std::vector<double>& corners) {
   for (const double v : joints) {
     const double u = c.u_at(v);
-    corners.push_back(u);
     const double period = c.domain_u.length();
     const double turns = c.closed ? std::floor((u - c.points.front().u) / period) : 0.0;
     const double along = c.reversed ? -c.domain_v.length() : c.domain_v.length();
     const ParameterPair point{u - turns * period, v - turns * along};
-    const auto next = std::upper_bound(c.points.begin(), c.points.end(), point.u,
-                                       [](double x, const ParameterPair& p) { return x < p.u; });
-    if (next == c.points.begin() || (next - 1)->u < point.u) c.points.insert(next, point);
+    const double near = kSamePlace * period;
+    const auto next = std::lower_bound(c.points.begin(), c.points.end(), point.u - near,
+                                       [](const ParameterPair& p, double x) { return p.u < x; });
+    if (next != c.points.end() && next->u <= point.u + near) {
+      corners.push_back(next->u);
+    } else {
+      c.points.insert(next, point);
+      corners.push_back(point.u);
+    }
   }
   return c;
 }

@@ -169,12 +169,12 @@ class Assembly {
 
   /// The vertices that triangles use.
   void fill_vertices() {
-    constexpr std::uint32_t unused = std::numeric_limits<std::uint32_t>::max();
-    std::vector<std::uint32_t> number(stack_.vertices.places.size(), unused);
+    constexpr std::uint32_t kUnused = std::numeric_limits<std::uint32_t>::max();
+    std::vector<std::uint32_t> number(stack_.vertices.places.size(), kUnused);
     solid_.mesh.vertices = Points(3, 0);
     for (auto& triangle : solid_.mesh.triangles) {
       for (std::uint32_t& v : triangle) {
-        if (number[v] == unused) {
+        if (number[v] == kUnused) {
           number[v] = static_cast<std::uint32_t>(solid_.mesh.vertices.size());
           solid_.mesh.vertices.push_back(stack_.position(v));
         }

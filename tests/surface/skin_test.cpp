@@ -11,6 +11,7 @@
 #include "cad_cases.h"
 #include "tandem/curve/edit.h"
 #include "tandem/error.h"
+#include "tandem/io/load.h"
 #include "tandem/surface/edit.h"
 
 namespace tandem {
@@ -254,6 +255,25 @@ TEST(Skin, EvensOutTheSpeedAtJoints) {
   std::vector<Curve> jumping{sections.front()};
   for (const Match& m : match_chain(sections)) jumping.push_back(m.curve);
   EXPECT_GE(crease(loft(jumping).surface), 0.05);
+}
+
+// Drawings have joints that turn by less than a corner and more than nothing, and very short segments.
+TEST(Skin, TakesDrawings) {
+  std::vector<Curve> sections;
+  for (const char* name : {"crow", "kangaroo"}) {
+    const Curve flat = load_shape(std::string(TANDEM_EXAMPLE_DATA) + "/" + name + ".svg").contours.front();
+    Points points(3, flat.size());
+    for (std::size_t i = 0; i < flat.size(); ++i) {
+      points[i][0] = flat.control_points()[i][0];
+      points[i][1] = flat.control_points()[i][1];
+      points[i][2] = 300.0 * static_cast<double>(sections.size());
+    }
+    sections.emplace_back(flat.degree(), flat.knots(), points);
+  }
+  const SkinnedSurface skinned = skin(sections);
+  expect_interpolated(skinned, sections);
+  EXPECT_LE(skinned.report.crease_angle, std::numbers::pi / 180.0);
+  EXPECT_GE(skinned.report.pairs[0].validity.valid_share, 0.9);
 }
 
 TEST(Skin, ClosesARing) {
