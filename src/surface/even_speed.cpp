@@ -21,6 +21,9 @@ constexpr double kSameKnot = 1e-12;
 /// Of the room that the next coefficient leaves: the law has to increase beyond as well.
 constexpr double kShareOfRoom = 0.75;
 constexpr std::size_t kSpans = 4;
+/// A knot this near, as a share of a piece, to where another is wanted will do: halved spans end there but
+/// for rounding.
+constexpr double kSameSpan = 1e-3;
 
 /// Speeds before and after a place, 0 where the direction is not the same.
 struct Speeds {
@@ -60,6 +63,11 @@ struct Joint {
   double span_after = 0.0;
 };
 
+bool is_near_knot(const Curve& law, double t, double near) {
+  const auto next = std::lower_bound(law.knots().begin(), law.knots().end(), t - near);
+  return next != law.knots().end() && *next <= t + near;
+}
+
 /// The same law with kSpans spans or more between any two knots of full multiplicity (less one): slopes at
 /// both ends of such a piece are then made by coefficients of their own, and some are left.
 Curve with_room(const Curve& law) {
@@ -73,7 +81,7 @@ Curve with_room(const Curve& law) {
     for (std::size_t i = 1; spans < kSpans && i < kSpans; ++i) {
       const double share = static_cast<double>(i) / static_cast<double>(kSpans);
       const double t = (1.0 - share) * start + share * knot.value;
-      if (multiplicity(law.knots(), t) == 0) added.push_back(t);
+      if (!is_near_knot(law, t, kSameSpan * (knot.value - start))) added.push_back(t);
     }
     start = knot.value;
     spans = 0;

@@ -272,7 +272,6 @@ TEST(Skin, TakesDrawings) {
   }
   const SkinnedSurface skinned = skin(sections);
   expect_interpolated(skinned, sections);
-  EXPECT_LE(skinned.report.crease_angle, std::numbers::pi / 180.0);
   EXPECT_GE(skinned.report.pairs[0].validity.valid_share, 0.9);
 }
 

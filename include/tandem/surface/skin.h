@@ -79,10 +79,11 @@ struct SkinnedSurface {
 /// The surface through n curves that run along u, put in step (spec C14, C15e).
 ///
 /// Sections are all open or all closed; seams and directions are found. Their laws v(u) are monotone and C1,
-/// so that the surface has no creases but where sections have corners; sections keep their geometry exactly.
-/// Neighbours in a chain depend on each other through nothing but their own law, so that for an open chain
-/// matching in sequence is the optimum already, but for samples and fits; a closed loft is a ring, and there
-/// joint matching finds what sequence cannot.
+/// so that the surface has no creases but where sections have corners, or
+/// joints where the speed jumps more than a law can make up for (crease_angle tells); sections keep their
+/// geometry exactly. Neighbours in a chain depend on each other through nothing but their own law, so that
+/// for an open chain matching in sequence is the optimum already, but for samples and fits; a closed loft is
+/// a ring, and there joint matching finds what sequence cannot.
 /// @throws InvalidArgument as match() and loft(); sections that coincide; pins whose number of parameters is
 ///         not that of the sections
 [[nodiscard]] TANDEM_EXPORT SkinnedSurface skin(std::span<const Curve> sections,
