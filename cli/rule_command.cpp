@@ -15,7 +15,6 @@
 #include "progress_bar.h"
 #include "rule_plan.h"
 #include "rule_report.h"
-#include "tandem/surface/tessellate.h"
 #include "values.h"
 
 namespace cli {
@@ -60,11 +59,6 @@ tandem::RuledSurface rule(const Command& command, Plan& plan, const std::vector<
   return tandem::rule(a, b, plan.rule);
 }
 
-tandem::Certificate certify(const tandem::RuledSurface& ruled, const SurfaceOutput& output) {
-  if (ruled.report.planar) return tandem::certify(ruled.surface);
-  return tandem::certify(ruled.surface, tandem::tessellate(ruled.surface, output.mesh));
-}
-
 void warn(const Messages& messages, const tandem::RuledReport& report,
           const std::optional<tandem::Certificate>& certificate) {
   if (!report.validity.valid) {
@@ -78,9 +72,7 @@ void warn(const Messages& messages, const tandem::RuledReport& report,
     messages.warning(
         fmt::format("the law has order {}: smoother ones leave the surface invalid", report.law.order));
   }
-  if (certificate && certificate->verdict != tandem::Verdict::certified) {
-    messages.warning(fmt::format("not certified: {}", verdict_name(certificate->verdict)));
-  }
+  if (certificate) warn(messages, *certificate);
 }
 
 Status run(const Command& command) {
@@ -95,7 +87,7 @@ Status run(const Command& command) {
     return kNoValidMatch;
   }
   std::optional<tandem::Certificate> certificate;
-  if (command.rule.certify) certificate = certify(ruled, plan.rails.output);
+  if (command.rule.certify) certificate = certify(ruled.surface, plan.rails.output);
   warn(messages, ruled.report, certificate);
   const std::string report = format_rule_report(ruled, certificate);
   write_surface(plan.rails.output, {&ruled.surface,

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "report.h"
+#include "tandem/io/certificate_json.h"
 #include "tandem/io/json.h"
 
 namespace cli {
@@ -14,7 +15,6 @@ using tandem::Certificate;
 using tandem::LawOutcome;
 using tandem::RulingReport;
 using tandem::Validity;
-using tandem::WitnessKind;
 
 const char* word(bool value) {
   return value ? "true" : "false";
@@ -32,20 +32,6 @@ const char* name(LawOutcome outcome) {
       break;
   }
   return "as_asked";
-}
-
-const char* name(WitnessKind kind) {
-  switch (kind) {
-    case WitnessKind::sign_change:
-      return "sign_change";
-    case WitnessKind::crossing:
-      return "crossing";
-    case WitnessKind::triangles:
-      return "triangles";
-    case WitnessKind::zero:
-      break;
-  }
-  return "zero";
 }
 
 std::string format_validity(const Validity& validity) {
@@ -69,32 +55,6 @@ std::string format_rulings(const RulingReport& rulings) {
       json_number(rulings.mean_inclination), json_number(rulings.twisted_share));
 }
 
-std::string format_witness(const tandem::Witness& witness) {
-  std::string places;
-  for (const tandem::SurfacePlace& place : witness.places) {
-    std::string point;
-    for (const double x : place.point) point += (point.empty() ? "" : ", ") + json_number(x);
-    places +=
-        fmt::format(R"({}{{"u": {}, "v": {}, "point": [{}], "jacobian": {}}})", places.empty() ? "" : ", ",
-                    json_number(place.u), json_number(place.v), point, json_number(place.jacobian));
-  }
-  return fmt::format(R"({{"kind": "{}", "places": [{}]}})", name(witness.kind), places);
-}
-
-std::string format_certificate(const Certificate& certificate) {
-  std::string text = fmt::format("  \"certificate\": \"{}\",\n  \"regular\": \"{}\"",
-                                 verdict_name(certificate.verdict), verdict_name(certificate.regular));
-  if (certificate.one_to_one) {
-    text += fmt::format(",\n  \"one_to_one\": \"{}\"", verdict_name(*certificate.one_to_one));
-  }
-  if (certificate.tessellation_simple) {
-    text +=
-        fmt::format(",\n  \"tessellation_simple\": \"{}\"", verdict_name(*certificate.tessellation_simple));
-  }
-  if (certificate.witness) text += ",\n  \"witness\": " + format_witness(*certificate.witness);
-  return text;
-}
-
 /// The match report, and `fields` before its closing brace.
 std::string with_fields(const tandem::Match& match, const std::string& fields) {
   std::string text = trimmed(tandem::format_json_report(match));
@@ -104,18 +64,6 @@ std::string with_fields(const tandem::Match& match, const std::string& fields) {
 
 }  // namespace
 
-const char* verdict_name(tandem::Verdict verdict) {
-  switch (verdict) {
-    case tandem::Verdict::certified:
-      return "certified";
-    case tandem::Verdict::violated:
-      return "violated";
-    case tandem::Verdict::undecided:
-      break;
-  }
-  return "undecided";
-}
-
 std::string format_rule_report(const tandem::RuledSurface& ruled,
                                const std::optional<Certificate>& certificate) {
   const tandem::RuledReport& report = ruled.report;
@@ -124,7 +72,7 @@ std::string format_rule_report(const tandem::RuledSurface& ruled,
       "  \"law\": {}",
       word(report.planar), format_validity(report.tangents), json_number(report.wrong_sign_share),
       json_number(report.rulings.crease_angle), format_rulings(report.rulings), format_law(report.law));
-  if (certificate) fields += ",\n" + format_certificate(*certificate);
+  if (certificate) fields += ",\n" + tandem::format_json_certificate(*certificate);
   return with_fields(ruled.match, fields);
 }
 

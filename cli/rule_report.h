@@ -16,7 +16,4 @@ namespace cli {
 /// docs/interface.md, "The report of blend".
 [[nodiscard]] std::string format_blend_report(const tandem::HermiteSurface& blend);
 
-/// "certified", "violated", "undecided".
-[[nodiscard]] const char* verdict_name(tandem::Verdict verdict);
-
 }  // namespace cli

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -62,8 +63,8 @@ Plan make_plan(const Command& command) {
     plan.spacing = parse_number("--spacing", flags.spacing);
     if (plan.spacing == 0.0) throw UsageError("--spacing takes a number that is not 0");
   }
-  if (flags.solid && (flags.ring || !flags.rows.empty() || !flags.pins.empty())) {
-    throw UsageError("--solid excludes --ring, --rows and --pin");
+  if (flags.solid && (flags.ring || flags.certify || !flags.rows.empty() || !flags.pins.empty())) {
+    throw UsageError("--solid excludes --ring, --rows, --certify and --pin");
   }
   return plan;
 }
@@ -152,7 +153,12 @@ Status write_skin(const Command& command, Plan plan, std::vector<std::vector<Cur
     return kNoValidMatch;
   }
   warn(messages, skinned);
-  const std::string report = format_skin_report(skinned);
+  std::optional<tandem::Certificate> certificate;
+  if (command.skin.certify) {
+    certificate = certify(skinned.surface, plan.output);
+    warn(messages, *certificate);
+  }
+  const std::string report = format_skin_report(skinned, certificate);
   write_surface(plan.output, {&skinned.surface, nullptr, "\"report\": " + report, skinned.sections, "Skin"});
   if (command.common.json && command.output != "-") write_output("-", report + "\n");
   return kDone;
@@ -195,6 +201,8 @@ void add_skin_flags(CLI::App& app, SkinFlags& flags) {
       ->type_name("NAME");
   app.add_option("--spacing", flags.spacing, "Stack planar inputs at z = 0, X, 2X, ...")->type_name("X");
   app.add_flag("--ring", flags.ring, "The last section is followed by the first");
+  app.add_flag("--certify", flags.certify,
+               "Prove that the surface is regular, and its triangles do not cross");
   app.add_flag("--solid", flags.solid, "Each input is a level of closed contours: a closed mesh with caps");
   app.add_option("--pin", flags.pins,
                  "x,y,z=x,y,z=...: points that belong together, one per section; repeatable")

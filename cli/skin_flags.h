@@ -14,6 +14,7 @@ struct SkinFlags {
   std::string spacing;
   bool ring = false;
   bool solid = false;
+  bool certify = false;
   std::vector<std::string> pins;
 };
 

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "report.h"
+#include "tandem/io/certificate_json.h"
 #include "tandem/version.h"
 
 namespace cli {
@@ -34,7 +35,8 @@ std::string format_law(const tandem::Reparametrization& law) {
 
 }  // namespace
 
-std::string format_skin_report(const tandem::SkinnedSurface& skinned) {
+std::string format_skin_report(const tandem::SkinnedSurface& skinned,
+                               const std::optional<tandem::Certificate>& certificate) {
   const tandem::SkinReport& report = skinned.report;
   std::string pairs;
   for (const tandem::SkinPair& pair : report.pairs) {
@@ -49,11 +51,11 @@ std::string format_skin_report(const tandem::SkinnedSurface& skinned) {
       "\"sweeps\": {},\n"
       "  \"crease_angle\": {},\n  \"law_deviation\": {},\n  \"interpolation_error\": {},\n  \"parameters\": "
       "{},\n"
-      "  \"pairs\": [{}],\n  \"laws\": [{}]\n}}",
+      "  \"pairs\": [{}],\n  \"laws\": [{}]{}\n}}",
       tandem::version(), word(report.valid), json_number(report.total_cost),
       json_number(report.sequence_cost), report.sweeps, json_number(report.crease_angle),
       json_number(report.law_deviation), json_number(report.interpolation_error), numbers(skinned.parameters),
-      pairs, laws);
+      pairs, laws, certificate ? ",\n" + tandem::format_json_certificate(*certificate) : "");
 }
 
 std::string format_solid_report(const tandem::Solid& solid) {

@@ -6,6 +6,7 @@
 
 #include "tandem/error.h"
 #include "tandem/io/cad.h"
+#include "tandem/io/certificate_json.h"
 #include "tandem/io/glb.h"
 #include "tandem/io/obj.h"
 #include "tandem/io/ply.h"
@@ -127,6 +128,16 @@ SurfaceOutput plan_surface_output(const CLI::App& app, const std::string& path, 
   output.size = parse_count("--size", flags.size, 1, kLargestPicture);
   if (cad_format_of(output.format)) need_cad(path);
   return output;
+}
+
+tandem::Certificate certify(const tandem::Surface& surface, const SurfaceOutput& output) {
+  if (surface.dim() != 3) return tandem::certify(surface);
+  return tandem::certify(surface, tandem::tessellate(surface, output.mesh));
+}
+
+void warn(const Messages& messages, const tandem::Certificate& certificate) {
+  if (certificate.verdict == tandem::Verdict::certified) return;
+  messages.warning(fmt::format("not certified: {}", name(certificate.verdict)));
 }
 
 void write_surface(const SurfaceOutput& output, const SurfaceContent& content) {

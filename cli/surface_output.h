@@ -5,9 +5,11 @@
 #include <string>
 #include <vector>
 
+#include "messages.h"
 #include "output.h"
 #include "tandem/curve/curve.h"
 #include "tandem/io/cad.h"
+#include "tandem/surface/certificate.h"
 #include "tandem/surface/mesh.h"
 #include "tandem/surface/surface.h"
 #include "tandem/surface/tessellate.h"
@@ -45,6 +47,11 @@ struct SurfaceOutput {
 /// tandem::InvalidArgument a format of the CAD component, without that
 [[nodiscard]] SurfaceOutput plan_surface_output(const CLI::App& app, const std::string& path,
                                                 const std::string& to, const SurfaceFlags& flags);
+
+/// The certificate of the surface, and of the tessellation that would be written where it is not planar.
+[[nodiscard]] tandem::Certificate certify(const tandem::Surface& surface, const SurfaceOutput& output);
+/// Says so when it is not certified.
+void warn(const Messages& messages, const tandem::Certificate& certificate);
 
 /// What is written.
 struct SurfaceContent {

@@ -1,6 +1,9 @@
 # libtandem_cad.so, which tandem::io loads when a STEP, IGES or BREP file is named. An optional component: without it
-# everything else is the same, and the program starts without OpenCASCADE.
-if(TANDEM_BUILD_CAD STREQUAL "AUTO" OR TANDEM_BUILD_CAD)
+# everything else is the same, and the program starts without OpenCASCADE. Not under a sanitizer, unless asked for:
+# OpenCASCADE itself leaks.
+if(TANDEM_BUILD_CAD STREQUAL "AUTO" AND TANDEM_SANITIZE)
+  set(TANDEM_HAS_OCCT FALSE)
+elseif(TANDEM_BUILD_CAD STREQUAL "AUTO" OR TANDEM_BUILD_CAD)
   # By hand: its own package configuration wants all of its parts, the windows among them.
   find_path(OCCT_INCLUDE_DIR STEPControl_Reader.hxx PATH_SUFFIXES opencascade)
   set(occt_libraries)

@@ -16,10 +16,10 @@
 #include <string>
 #include <vector>
 
+#include "certificate_figure.h"
 #include "key_figures.h"
 #include "morph_figures.h"
 #include "ruled_figures.h"
-#include "certificate_figure.h"
 #include "segment_figures.h"
 #include "sheet.h"
 #include "skin_figures.h"

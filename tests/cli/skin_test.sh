@@ -17,6 +17,10 @@ out_has '"valid": true'
 out_has '"crease_angle": '
 that "the surface is one" grep -q '"type": "bspline_surface"' bells.json
 that "it holds its report" grep -q '"report": {' bells.json
+expect 0 skin "$bells" -o bells.json --json --certify --chord 0.01
+out_has '"certificate": "certified"'
+out_has '"tessellation_simple": "certified"'
+expect 2 skin "$bells" -o bells.stl --solid --certify
 expect 0 skin "$bells#0" "$bells#1" "$bells#2" -o - --degree 2 --parameters centripetal
 out_has '"degree": \[6, *2\]'
 for ending in obj stl ply glb svg png html; do

@@ -151,7 +151,8 @@ TEST_F(Load, SaysWhatItCannotRead) {
   for (const char* name : {"a.step", "a.STP", "a.iges", "a.igs", "a.brep"}) {
     const std::string file = put(name, "x");
     // The CAD component lies beside the program, not beside this test.
-    EXPECT_EQ(error_of<tandem::InvalidArgument>(file).rfind("STEP, IGES and BREP need the CAD component", 0), 0U);
+    EXPECT_EQ(error_of<tandem::InvalidArgument>(file).rfind("STEP, IGES and BREP need the CAD component", 0),
+              0U);
   }
 }
 

@@ -30,7 +30,8 @@ enum class CadFormat { step, iges, brep };
 /// part of [0, length] as long as the edge is. Edges of one item that meet end to end, two at each point,
 /// count as a wire, since STEP and IGES know no other. When there are faces, their edges count only if there
 /// is nothing else.
-/// @throws IoError no such file; InvalidArgument no component; ParseError not a file of its format, or no edge in it
+/// @throws IoError no such file; InvalidArgument no component; ParseError not a file of its format, or no
+/// edge in it
 [[nodiscard]] TANDEM_IO_EXPORT std::vector<Curve> read_cad_curves(const std::string& path);
 
 /// Curves as edges (or wires, where a degree is too high for one edge), surfaces as faces, of dimension 2 (z
