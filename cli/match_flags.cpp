@@ -138,7 +138,9 @@ void refuse_free_ends(const MatchFlags& flags) {
 }  // namespace
 
 void add_pin_flag(CLI::App& command, MatchFlags& flags) {
-  command.add_option("--pin", flags.pins, "A point of A and one of B that belong together (may be repeated)")
+  command
+      .add_option("--pin", flags.pins,
+                  "A point of A and one of B that belong together, of motions t1=t2 (may be repeated)")
       ->type_name("X1,Y1=X2,Y2")
       ->group("Matching")
       ->expected(1)

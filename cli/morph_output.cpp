@@ -94,10 +94,10 @@ void add_morph_output_flags(Command& command) {
   CLI::App& app = *command.app;
   app.add_option("-o,--output", command.output,
                  ".svg (animated), .html (player), .css, .lottie.json, .avd.xml (Android), .gif, .json "
-                 "(frames), DIR/, -")
+                 "(frames), .png (--at), .csv (motions), DIR/, -")
       ->type_name("OUT");
   app.add_option("--to", command.to,
-                 "svg, html, css, lottie, avd, gif, png, json: whatever the ending of OUT")
+                 "svg, html, css, lottie, avd, gif, png, csv, json: whatever the ending of OUT")
       ->type_name("FORMAT");
   app.add_option("--frames", command.frames, "Number of frames in .json, DIR/ (60) and .gif (25 a second)")
       ->type_name("N");
