@@ -32,7 +32,7 @@ void check(int dim, int degree) {
   if (degree > Geom_BSplineCurve::MaxDegree()) {
     throw InvalidArgument("degree " + std::to_string(degree) + " is above " +
                           std::to_string(Geom_BSplineCurve::MaxDegree()) +
-                          ", the highest that a CAD file takes");
+                          ", the highest that a CAD file takes; laws of --order 2 do not raise it");
   }
 }
 

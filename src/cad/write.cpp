@@ -36,8 +36,18 @@ namespace {
 
 // How close edges of a face that meet must be (a closed seam, a pole), in millimetres.
 constexpr double kPrecision = 1e-7;
+// Control polygons may be longer than what they make.
+constexpr double kSmallest = 10.0 * kPrecision;
+
+// OpenCASCADE leaves out what is smaller than its precision, without a word.
+void check_size(double extent, const char* what) {
+  if (extent > kSmallest) return;
+  throw InvalidArgument(std::string(what) + " of size " + std::to_string(extent) +
+                        " is too small for a CAD file, whose precision is 1e-7; scale it up");
+}
 
 TopoDS_Shape to_shape(const Curve& curve) {
+  check_size(curve.extent(), "a curve");
   BRepBuilderAPI_MakeEdge made(to_occt(curve));
   if (!made.IsDone()) throw InvalidArgument("a curve that OpenCASCADE makes no edge of: it is too short");
   // A wire, so that it stays apart from others that it meets.
@@ -45,6 +55,7 @@ TopoDS_Shape to_shape(const Curve& curve) {
 }
 
 TopoDS_Shape to_shape(const Surface& surface) {
+  check_size(surface.extent(), "a surface");
   BRepBuilderAPI_MakeFace made(to_occt(surface), kPrecision);
   if (!made.IsDone()) throw InvalidArgument("a surface that OpenCASCADE makes no face of: it is degenerate");
   return made.Face();

@@ -156,6 +156,8 @@ TEST_F(Cad, SaysWhatIsWrong) {
   const std::array<Curve, 1> high = {Curve::bezier(Points(3, std::vector<double>(81, 0.5)))};
   EXPECT_THROW((void)format_cad(CadFormat::step, high), InvalidArgument);
   EXPECT_THROW((void)format_cad(CadFormat::step, {}), InvalidArgument);
+  const std::array<Curve, 1> tiny = {Curve::bezier({{0, 0, 0}, {1e-9, 0, 0}})};
+  EXPECT_THROW((void)format_cad(CadFormat::step, tiny), InvalidArgument);
   EXPECT_EQ(cad_format("A.STP"), CadFormat::step);
   EXPECT_THROW((void)cad_format("a.dwg"), InvalidArgument);
 }
