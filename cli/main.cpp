@@ -81,6 +81,11 @@ void add_usage(CLI::App& program) {
 }
 
 int run(int argc, char** argv) {
+  // Scripts ask for the version before anything else: the commands need not be set up for that.
+  if (argc == 2 && std::string_view(argv[1]) == "--version") {
+    fmt::print("tandem {}\n", tandem::version());
+    return kDone;
+  }
   CLI::App program("Tandem puts freeform curves in step: correspondence, exact reparametrisation, morphs.",
                    "tandem");
   add_usage(program);
