@@ -23,7 +23,7 @@ namespace {
 
 /// Commands and options of the interface that do not work yet: people shall be told so, not that they
 /// mistyped.
-constexpr std::array<std::string_view, 2> kLaterCommands = {"font", "loft-repair"};
+constexpr std::array<std::string_view, 1> kLaterCommands = {"font"};
 constexpr std::array<std::string_view, 4> kLaterOptions = {"--mirror", "--linear", "--grid", "--axis"};
 
 template <std::size_t N>
