@@ -121,6 +121,10 @@ std::vector<double> locate_pin(const std::string& pin, const std::vector<Curve>&
 }
 
 void warn(const Messages& messages, const tandem::SkinnedSurface& skinned) {
+  if (skinned.report.wrong_sign_share > 0.0) {
+    messages.warning(fmt::format("the surface folds over itself: the wrong sign on {:.3g} % of its area",
+                                 100.0 * skinned.report.wrong_sign_share));
+  }
   for (std::size_t k = 0; k < skinned.report.pairs.size(); ++k) {
     const tandem::Validity& validity = skinned.report.pairs[k].validity;
     if (validity.valid) continue;

@@ -87,6 +87,7 @@ SkinReport report_on(const SectionChain& chain, const Loft& made, const SkinOpti
   }
   report.crease_angle =
       detail::crease_angle(made.surface, sections, made.parameters, options.match.corner_angle);
+  report.wrong_sign_share = detail::wrong_sign_share(made.surface);
   report.interpolation_error = detail::interpolation_error(made.surface, sections, made.parameters);
   return report;
 }

@@ -1,6 +1,7 @@
 #include "surface/skin_report.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 
@@ -45,6 +46,22 @@ double turn_at(const Curve& section, double u, bool seam) {
     for (double& x : row[1]) x = speed > 0.0 ? x / speed : 0.0;
   }
   return angle_between(rows[0][1], rows[1][1]);
+}
+
+/// Places per span at which signs are looked at, for the middle of each share of a span.
+constexpr int kSigns = 4;
+
+/// The middles of parts of all spans, and how long the parts are.
+std::vector<std::array<double, 2>> middles(const Surface& surface, Along along) {
+  std::vector<std::array<double, 2>> result;
+  double from = surface.domain(along).lo;
+  for (const Knot& knot : distinct_knots(surface.knots(along))) {
+    if (!(knot.value > from) || knot.value > surface.domain(along).hi) continue;
+    const double part = (knot.value - from) / kSigns;
+    for (int i = 0; i < kSigns; ++i) result.push_back({from + (i + 0.5) * part, part});
+    from = knot.value;
+  }
+  return result;
 }
 
 }  // namespace
@@ -108,6 +125,21 @@ double crease_angle(const Surface& surface, std::span<const Curve> sections,
     }
   }
   return worst;
+}
+
+double wrong_sign_share(const Surface& surface) {
+  if (surface.dim() != 2) return 0.0;
+  double positive = 0.0;
+  double negative = 0.0;
+  for (const auto& [u, of_u] : middles(surface, Along::u)) {
+    for (const auto& [v, of_v] : middles(surface, Along::v)) {
+      const Points d = surface.derivatives(u, v, 1);
+      const double jacobian = d[1][0] * d[2][1] - d[1][1] * d[2][0];
+      (jacobian > 0.0 ? positive : negative) += std::abs(jacobian) * of_u * of_v;
+    }
+  }
+  const double all = positive + negative;
+  return all > 0.0 ? std::min(positive, negative) / all : 0.0;
 }
 
 double interpolation_error(const Surface& surface, std::span<const Curve> sections,

@@ -30,6 +30,9 @@ struct SectionLook {
 [[nodiscard]] double crease_angle(const Surface& surface, std::span<const Curve> sections,
                                   std::span<const double> parameters, double corner_angle);
 
+/// See SkinReport::wrong_sign_share; 0 if the surface is not in R^2.
+[[nodiscard]] double wrong_sign_share(const Surface& surface);
+
 /// See SkinReport::interpolation_error.
 [[nodiscard]] double interpolation_error(const Surface& surface, std::span<const Curve> sections,
                                          std::span<const double> parameters);

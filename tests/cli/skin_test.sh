@@ -66,6 +66,14 @@ err_has 'each input is one level'
 expect 3 skin --solid "$square" 'M0 0H4V4' -o x.stl --spacing 1
 err_has 'has an open curve'
 
+# Equal tangents do not keep a ring in the plane from folding.
+expect 0 skin "$square" 'M10 0H14V4H10Z' -o fold.json --json
+err_has 'folds over itself: the wrong sign on [0-9.]+ %'
+out_has '"wrong_sign_share": 0\.'
+expect 0 skin "$square" 'M-2 -2H6V6H-2Z' -o ring.json --json
+err_empty
+out_has '"wrong_sign_share": 0,'
+
 # Its own defaults are in its help.
 for command in skin loft-repair; do
   expect 0 $command --help

@@ -384,6 +384,25 @@ TEST(Skin, TakesRationalSections) {
   EXPECT_TRUE(loft(skinned.sections).common_denominator);
 }
 
+// In the plane equal tangents do not keep a ring from folding: circles beside each other.
+TEST(Skin, TellsThatAPlanarRingFolds) {
+  const auto circle = [](double x, double r) {
+    Points points(2, 19);
+    std::vector<double> knots;
+    for (std::size_t i = 0; i < 19; ++i) {
+      points[i][0] = x + r * std::cos(2 * std::numbers::pi * static_cast<double>(i % 16) / 16);
+      points[i][1] = r * std::sin(2 * std::numbers::pi * static_cast<double>(i % 16) / 16);
+    }
+    for (int i = 0; i < 23; ++i) knots.push_back(i);
+    return Curve(3, knots, points);
+  };
+  const SkinnedSurface beside = skin(std::array<Curve, 2>{circle(0, 1), circle(3, 1)});
+  EXPECT_TRUE(beside.report.valid);
+  // Translated circles: the whole is covered forwards on one half and backwards on the other.
+  EXPECT_NEAR(beside.report.wrong_sign_share, 0.5, 0.02);
+  EXPECT_EQ(skin(std::array<Curve, 2>{circle(0, 1), circle(0.5, 2)}).report.wrong_sign_share, 0.0);
+}
+
 TEST(Skin, CanBeCancelled) {
   SkinOptions options;
   options.match.progress = [](double) { return false; };

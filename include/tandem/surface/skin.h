@@ -60,6 +60,9 @@ struct SkinReport {
   /// Largest angle between the normals on both sides of a line u = const on which no section has a corner, in
   /// radians; 0 if the surface is not in R^3.
   double crease_angle = 0.0;
+  /// In R^2: the share of the area on which the surface folds over, where S_u x S_v has the rarer sign; by
+  /// samples. Validity is of tangents, and sees none of that.
+  double wrong_sign_share = 0.0;
   double law_deviation = 0.0;  ///< largest |v(u) - path| of all laws, as a share of a section's domain
   /// Largest distance of a section from the surface's curve at its v, as a share of the size of all.
   double interpolation_error = 0.0;
