@@ -51,11 +51,12 @@ Status run(const Command& command) {
   const Plan plan = make_plan(command);
   const Messages messages(command.common.quiet);
   check_standard_input(command);
-  if (const auto motions = load_motions(command, plan.output.format)) {
+  if (const auto motions = load_motions(command, plan.output.format, messages)) {
     return morph_motions(command, *motions, plan.output, plan.morph, messages);
   }
   if (are_time_pins(command.match.pins)) (void)parse_pins(command.match.pins);  // says what is wrong
   const std::vector<Shape> keys = load_inputs(command, 2, std::string::npos);
+  say_smooth(messages, plan.morph.smooth, keys.size());
   const int dim = keys.front().dim();
   if (dim != 2 && plan.output.format != Format::json) {
     throw tandem::InvalidArgument(fmt::format(

@@ -173,6 +173,13 @@ MorphRun run_morph(const Command& command, std::span<const Shape> keys, tandem::
   return result;
 }
 
+void say_smooth(const Messages& messages, bool smooth, std::size_t keys) {
+  if (!smooth || keys > 2) return;
+  messages.note(
+      "--smooth passes the shapes between the first and the last, and with two there are none: it does "
+      "nothing");
+}
+
 MorphRun run_motions(const Command& command, std::span<const tandem::Curve> motions,
                      tandem::MotionOptions options, const Messages& messages) {
   options.match.progress = show_progress(messages.quiet());

@@ -29,6 +29,9 @@ struct MorphRun {
 [[nodiscard]] MorphRun run_morph(const Command& command, std::span<const tandem::Shape> keys,
                                  tandem::MorphOptions options, const Messages& messages, bool note_turn);
 
+/// --smooth does nothing for two keys: says so.
+void say_smooth(const Messages& messages, bool smooth, std::size_t keys);
+
 /// The same of motions, curves over time. @throws Interrupted
 [[nodiscard]] MorphRun run_motions(const Command& command, std::span<const tandem::Curve> motions,
                                    tandem::MotionOptions options, const Messages& messages);

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <sstream>
 #include <string_view>
@@ -143,9 +145,25 @@ Shape glyph_shape(const FilePart& name) {
   return shape;
 }
 
+/// Far from the origin numbers are too far apart to tell points from each other.
+std::string why_nothing(std::string_view path_data) {
+  constexpr double kWhole =
+      9007199254740992.0;  // 2^53: from here on not every whole number is one of double's
+  double largest = 0.0;
+  for (std::size_t i = 0; i < path_data.size();) {
+    const std::optional<ScannedNumber> number = scan_number(path_data.substr(i));
+    i += number ? number->length : 1;
+    if (number && std::isfinite(number->value)) largest = std::max(largest, std::fabs(number->value));
+  }
+  if (largest < kWhole) return "";
+  const double gap = std::nextafter(largest, std::numeric_limits<double>::infinity()) - largest;
+  return fmt::format(": at coordinates of {:g} numbers are {:g} apart, and its points fall together", largest,
+                     gap);
+}
+
 Shape path_data_shape(std::string_view text, const std::string& source, const LoadOptions& options) {
   Shape shape = to_shape(parse_path_data(without_bom(text), source), options.fill_rule);
-  if (shape.contours.empty()) fail(source, "draws nothing");
+  if (shape.contours.empty()) fail(source, "draws nothing" + why_nothing(text));
   return shape;
 }
 
