@@ -79,10 +79,7 @@ Status run(const Command& command) {
   return kDone;
 }
 
-}  // namespace
-
-void add_morph_command(CLI::App& program, Command& command) {
-  command.app = program.add_subcommand("morph", "The in-betweens of two or more curves or shapes");
+void add_flags(Command& command) {
   command.app->add_option("shapes", command.inputs, "A, B, ...: files, parts of files, or path data");
   add_morph_output_flags(command);
   command.app
@@ -93,7 +90,10 @@ void add_morph_command(CLI::App& program, Command& command) {
   add_pin_flag(*command.app, command.match);
   command.app->add_flag("--no-cut", command.no_cut,
                         "Cut no contour into pieces: what is too much grows from points");
-  command.run = run;
 }
+
+}  // namespace
+
+const Subcommand kMorphCommand = {"morph", "The in-betweens of two or more curves or shapes", add_flags, run};
 
 }  // namespace cli
