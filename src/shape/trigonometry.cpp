@@ -36,6 +36,14 @@ double cosine_series(double x) {
   return 1.0 + z * alternating_series<2, 18>(z);
 }
 
+// The remainder, as fmod has it; a single turn more takes an exact subtraction.
+double below_one_turn(double degrees) {
+  const double size = std::fabs(degrees);
+  if (size < 360.0) return degrees;
+  if (size < 720.0) return degrees > 0.0 ? degrees - 360.0 : degrees + 360.0;
+  return std::fmod(degrees, 360.0);
+}
+
 }  // namespace
 
 CosSin cos_sin_degrees(double degrees) {
@@ -43,21 +51,18 @@ CosSin cos_sin_degrees(double degrees) {
     constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
     return {kNan, kNan};
   }
-  const double turn = std::fabs(degrees) < 360.0 ? degrees : std::fmod(degrees, 360.0);
-  const double quadrant = std::floor(turn / 90.0 + 0.5);
+  const double turn = below_one_turn(degrees);
+  const double nearest = turn / 90.0 + 0.5;
+  int quadrant = static_cast<int>(nearest);
+  if (nearest < quadrant) --quadrant;  // the floor
   const double x = (turn - 90.0 * quadrant) * (std::numbers::pi / 180.0);
-  const double c = cosine_series(x);
-  const double s = sine_series(x);
-  switch ((static_cast<int>(quadrant) + 8) % 4) {
-    case 0:
-      return {c, s};
-    case 1:
-      return {-s + 0.0, c};  // + 0.0: no negative zero at the exact angles
-    case 2:
-      return {-c, -s + 0.0};
-    default:
-      return {s, -c};
-  }
+  // By tables: quadrants are as good as random, and wrongly foreseen branches take longer than all the rest.
+  const double both[] = {cosine_series(x), sine_series(x)};
+  constexpr double kCosineSign[] = {1.0, -1.0, -1.0, 1.0};
+  constexpr double kSineSign[] = {1.0, 1.0, -1.0, -1.0};
+  const auto q = static_cast<unsigned>(quadrant + 8) % 4;
+  // + 0.0: no negative zero at the exact angles
+  return {kCosineSign[q] * both[q % 2] + 0.0, kSineSign[q] * both[1 - q % 2] + 0.0};
 }
 
 double angle_degrees(double re, double im) {
