@@ -42,7 +42,12 @@ class Judge {
   [[nodiscard]] Score judge(const StepBlend& blend, const Score& limit);
 
  private:
+  /// What the in-betweens are measured by.
+  struct Reference;
+
   [[nodiscard]] double trouble_of_frame();
+  void add_trouble(double s, Score& score);
+  void add_measures(const Reference& keys, double s, Score& score) const;
   void sample(const StepBlend& blend, double s);
   [[nodiscard]] bool leaves_too_fast(const StepBlend& blend);
 
