@@ -42,6 +42,7 @@ constexpr double kAreaWeight = 1.0;
 constexpr double kLengthWeight = 1.0;
 constexpr double kTangentWeight = 0.6;
 constexpr double kTurnWeight = 2.0;  // of half a turn
+constexpr double kAsymmetryWeight = 3.0;
 // 1 - <T1, T2> of a contour that grows from a point, or shrinks to one: as of one that turns by 90 degrees.
 constexpr double kLoneTangent = 1.0;
 // Shapes whose tangents differ by less once they are turned are nearly one body, whose turn costs less.
@@ -155,9 +156,9 @@ double Judge::trouble_of_frame() {
   return trouble;
 }
 
-Score Judge::judge(const StepBlend& blend, const Score& limit) {
+Score Judge::judge(const StepBlend& blend, const Score& limit, double asymmetry) {
   const std::vector<ContourEnds> ends = blend.ends_in_frame();
-  Score score{0, 0.0, 0.0};
+  Score score{0, 0.0, kAsymmetryWeight * asymmetry};
   const double difference = tangent_difference(ends);
   score.blemish += kTangentWeight * difference;
   // What is nothing but a turned copy turns for free.

@@ -38,8 +38,8 @@ class Judge {
   /// diagonal: of the box of both keys.
   explicit Judge(double diagonal);
 
-  /// The score, as far as needed to know whether it beats `limit`.
-  [[nodiscard]] Score judge(const StepBlend& blend, const Score& limit);
+  /// The score, as far as needed to know whether it beats `limit`. asymmetry: StepCandidate::asymmetry
+  [[nodiscard]] Score judge(const StepBlend& blend, const Score& limit, double asymmetry = 0.0);
 
  private:
   [[nodiscard]] double trouble_of_frame();
