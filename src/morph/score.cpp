@@ -204,13 +204,14 @@ Score Judge::judge(const StepBlend& blend, const Score& limit, double asymmetry)
         if (more > kSeenBreak) broken += more;
       }
     }
-    const double length = now.length / ((1.0 - s) * first.length + s * last.length);
+    const double done = blend.progress(s);
+    const double length = now.length / ((1.0 - done) * first.length + done * last.length);
     if (length < kLeastLength || length > kMostLength) ++score.faults;
-    const double wanted = (1.0 - s) * first.area + s * last.area;
+    const double wanted = (1.0 - done) * first.area + done * last.area;
     if (wanted > 0.0) {
       const double area = std::fabs(now.area) / wanted;
       // A body that grows evenly is smaller on the way than the blend of its areas, rightly.
-      const double side = (1.0 - s) * std::sqrt(first.area) + s * std::sqrt(last.area);
+      const double side = (1.0 - done) * std::sqrt(first.area) + done * std::sqrt(last.area);
       if (area < std::min(kLeastArea, kEven * side * side / wanted)) ++score.faults;
       score.blemish += kAreaWeight * std::fabs(area - 1.0) / kOrder.size();
     }

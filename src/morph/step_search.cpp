@@ -253,6 +253,7 @@ class StepSearch {
       for (const double s : kMeetings) {
         for (const std::size_t c : order) {
           if (score.faults == 0) break;
+          if (own.contours[c].outline_a || own.contours[c].outline_b) continue;  // a piece leaves a gap
           if (!go_on(0.5 + 0.25 * static_cast<double>(e) / static_cast<double>(entries_.size())))
             return false;
           const ContourDetour before = own.contours[c].detour;
