@@ -27,6 +27,12 @@ constexpr double kDegrees = 57.29577951308232;
 
 using Complex = std::complex<double>;
 
+/// What comes of mirroring an outline.
+struct Reflected {
+  double twice_axis = 0.0;  ///< direction of the axis, doubled, in radians
+  double error = 0.0;       ///< how far the mirror image is off, in radii of gyration
+};
+
 /// Points at equal lengths, about their mean.
 struct Ring {
   std::vector<Complex> points;
@@ -53,15 +59,16 @@ struct Ring {
   }
   // Of a point and its mirror image the product is e^(2 i phi) times the square of their distance from the
   // centre, phi being the axis: the sum of products over the outline tells how well they agree on one.
-  [[nodiscard]] Complex products(double center) const {
+  [[nodiscard]] Reflected reflected(double center) const {
     Complex sum;
+    double squares = 0.0;
     for (std::size_t t = 0; t < kPlaces; ++t) {
-      sum += at(center + static_cast<double>(t)) * at(center - static_cast<double>(t));
+      const Complex on = at(center + static_cast<double>(t));
+      const Complex back = at(center - static_cast<double>(t));
+      sum += on * back;
+      squares += std::norm(on) + std::norm(back);
     }
-    return sum;
-  }
-  [[nodiscard]] double error(Complex products_sum) const {
-    return std::sqrt(std::max(0.0, 2.0 - 2.0 * std::abs(products_sum) / square));
+    return {std::arg(sum), std::sqrt(std::max(0.0, squares - 2.0 * std::abs(sum)) / square)};
   }
 };
 
@@ -100,8 +107,8 @@ std::vector<Mirror> find_mirrors(const Curve& outline) {
     const double bend = before - 2.0 * agreement[k] + after;
     const double shift = bend < -1e-9 ? std::clamp(0.5 * (before - after) / bend, -0.5, 0.5) : 0.0;
     const double place = 0.5 * (static_cast<double>(k) + shift);
-    const Complex sum = ring.products(place);
-    if (ring.error(sum) > kExactly) continue;
+    const Reflected image = ring.reflected(place);
+    if (image.error > kExactly) continue;
     const double n = static_cast<double>(kPlaces);
     const auto parameter = [&](double at) {
       const double share = at / n - std::floor(at / n);
@@ -109,7 +116,7 @@ std::vector<Mirror> find_mirrors(const Curve& outline) {
                       outline.domain());
     };
     const Complex axis = ring.at(place) - ring.at(place + 0.5 * n);
-    double degrees = 0.5 * std::arg(sum) * kDegrees;
+    double degrees = 0.5 * image.twice_axis * kDegrees;
     if (std::fabs(wrapped(std::arg(axis) * kDegrees - degrees, 360.0)) > 90.0) degrees += 180.0;
     found.push_back({parameter(place), parameter(place + 0.5 * n), degrees});
   }
