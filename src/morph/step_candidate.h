@@ -38,6 +38,7 @@ struct FoundContour {
   std::optional<CubicPath> outline_a = {};
   std::optional<CubicPath> outline_b = {};
 
+  [[nodiscard]] bool is_piece() const noexcept { return outline_a || outline_b; }
   /// What is drawn at the ends.
   [[nodiscard]] ContourEnds drawn() const {
     return {outline_a ? *outline_a : ends.a, outline_b ? *outline_b : ends.b};

@@ -117,8 +117,15 @@ class StepSearch {
 
  private:
   bool make_detours(std::size_t most) {
-    std::stable_sort(entries_.begin(), entries_.end(),
-                     [](const Entry& x, const Entry& y) { return x.score.better_than(y.score); });
+    // Pieces that shrink or step aside leave a gap: what has none comes first.
+    const auto has_pieces = [&](const Entry& entry) {
+      const std::vector<FoundContour>& all = candidates_[entry.candidate].contours;
+      return std::any_of(all.begin(), all.end(), [](const FoundContour& c) { return c.is_piece(); });
+    };
+    std::stable_sort(entries_.begin(), entries_.end(), [&](const Entry& x, const Entry& y) {
+      const bool pieces_x = has_pieces(x);
+      return pieces_x != has_pieces(y) ? !pieces_x : x.score.better_than(y.score);
+    });
     const std::size_t contours = candidates_.front().contours.size();
     entries_.resize(std::min(entries_.size(), std::max<std::size_t>(most / contours, 1)));
     return keep_clear() && smooth();
@@ -210,7 +217,9 @@ class StepSearch {
         done += part;
         if (!candidate || !go_on(done)) return false;
         if (options_.match.coarse_to_fine) mark_inexact(*candidate);
+        const bool known = is_known(*candidate);
         candidates_.push_back(*std::move(candidate));
+        if (known) continue;
         for (const BlendKind kind : kinds_) consider(candidates_.back(), kind, candidates_.size() - 1);
       }
       // Whoever is in a hurry turns no more when the first way of matching was better without.
@@ -220,6 +229,18 @@ class StepSearch {
       }
     }
     return true;
+  }
+
+  // Whether another way of matching has led to the same joints: the in-betweens are the same, too.
+  [[nodiscard]] bool is_known(const StepCandidate& candidate) const {
+    const auto same = [](const FoundContour& x, const FoundContour& y) {
+      return x.ends.a == y.ends.a && x.ends.b == y.ends.b;
+    };
+    return std::any_of(candidates_.begin(), candidates_.end(), [&](const StepCandidate& other) {
+      return other.frame.degrees() == candidate.frame.degrees() &&
+             std::equal(other.contours.begin(), other.contours.end(), candidate.contours.begin(),
+                        candidate.contours.end(), same);
+    });
   }
 
   // Some of the matches may be the optimum: that they were chosen, and under which turn, is not.
@@ -253,7 +274,6 @@ class StepSearch {
       for (const double s : kMeetings) {
         for (const std::size_t c : order) {
           if (score.faults == 0) break;
-          if (own.contours[c].outline_a || own.contours[c].outline_b) continue;  // a piece leaves a gap
           if (!go_on(0.5 + 0.25 * static_cast<double>(e) / static_cast<double>(entries_.size())))
             return false;
           const ContourDetour before = own.contours[c].detour;
