@@ -10,6 +10,7 @@
 #include "output.h"
 #include "pins.h"
 #include "progress_bar.h"
+#include "rule_law.h"
 #include "rule_plan.h"
 #include "rule_report.h"
 
@@ -19,7 +20,7 @@ namespace {
 using tandem::Shape;
 
 Status run(const Command& command) {
-  const RailPlan plan = make_rail_plan(command);
+  RailPlan plan = make_rail_plan(command);
   const Messages messages(command.common.quiet);
   const std::vector<Shape> shapes = load_inputs(command, 4, 4);
   const tandem::Rail first{single_curve(command, shapes, 0), single_curve(command, shapes, 1)};
@@ -27,8 +28,15 @@ Status run(const Command& command) {
   tandem::HermiteOptions options;
   options.match = plan.match;
   if (!command.match.pins.empty()) {
-    options.match.pins = locate_pins(command.match.pins, shapes[0], shapes[2]).front();
+    options.match.pins =
+        locate_pins(command.match.pins, Shape{{first.curve}, {}}, Shape{{second.curve}, {}}).front();
   }
+  fit_order(
+      command, plan.output.format,
+      [&](int q) {
+        return ruled_degree({&first.curve, &first.tangents}, {&second.curve, &second.tangents}, q);
+      },
+      plan.law, messages);
   options.law = plan.law;
   options.largest_crease = plan.crease;
   const auto make = [&] {
@@ -58,16 +66,16 @@ Status run(const Command& command) {
   return kDone;
 }
 
-}  // namespace
-
-void add_blend_command(CLI::App& program, Command& command) {
-  command.app = program.add_subcommand("blend", "The Hermite surface between two rails with tangents across");
+void add_flags(Command& command) {
   command.app->add_option("curves", command.inputs,
                           "RAIL1 TANGENT1 RAIL2 TANGENT2: tangents are curves of vectors over the rails' "
                           "parameters, towards the second rail");
   add_rail_flags(command);
-  command.app->get_option("--order")->description("Order of v: 4 is C2 (default), 2 piecewise linear");
-  command.run = run;
 }
+
+}  // namespace
+
+const Subcommand kBlendCommand = {"blend", "The Hermite surface between two rails with tangents across",
+                                  add_flags, run};
 
 }  // namespace cli

@@ -8,6 +8,7 @@
 #include "messages.h"
 #include "output.h"
 #include "progress_bar.h"
+#include "rule_law.h"
 #include "skin_report.h"
 #include "surface_output.h"
 #include "tandem/error.h"
@@ -20,8 +21,8 @@ namespace {
 
 const std::vector<Format> kFormats = {Format::step, Format::iges, Format::brep};
 
-tandem::SkinnedSurface put_in_step(const std::vector<tandem::Curve>& sections, const Command& command) {
-  tandem::SkinOptions options;
+tandem::SkinnedSurface put_in_step(const std::vector<tandem::Curve>& sections, const Command& command,
+                                   tandem::SkinOptions options) {
   options.match = to_match_options(command.match);
   options.match.progress = show_progress(command.common.quiet);
   const InterruptibleScope interruptible;
@@ -34,13 +35,18 @@ Status run(const Command& command) {
   }
   if (command.output.empty()) throw UsageError("loft-repair needs -o OUT: .step, .iges or .brep");
   const Format format = output_format(command.output, command.to, kFormats);
+  tandem::SkinOptions options;
+  options.law = law_options(command, options.law);
+  check_writable(command.output);
   const Messages messages(command.common.quiet);
   const std::vector<tandem::Curve> sections = tandem::read_cad_curves(command.inputs.front());
   if (sections.size() < 2) {
     throw tandem::InvalidArgument(
         fmt::format("{} has one section, a loft needs at least 2", command.inputs.front()));
   }
-  const tandem::SkinnedSurface skinned = put_in_step(sections, command);
+  fit_order(
+      command, format, [&](int q) { return skinned_degree(sections, q); }, options.law, messages);
+  const tandem::SkinnedSurface skinned = put_in_step(sections, command, options);
   throw_if_interrupted();
   erase_progress_bar();
   if (command.match.strict && !skinned.report.valid) {
@@ -53,11 +59,7 @@ Status run(const Command& command) {
   return kDone;
 }
 
-}  // namespace
-
-void add_loft_repair_command(CLI::App& program, Command& command) {
-  command.app = program.add_subcommand(
-      "loft-repair", "The section wires of a CAD file, in step: seams, directions, parameters");
+void add_flags(Command& command) {
   command.app->add_option("file", command.inputs,
                           "IN.step, .iges or .brep: sections in the order of the loft");
   command.app->add_option("-o,--output", command.output, ".step, .iges or .brep")->type_name("OUT");
@@ -65,7 +67,12 @@ void add_loft_repair_command(CLI::App& program, Command& command) {
       ->type_name("FORMAT");
   add_common_flags(*command.app, command.common);
   add_match_flags(*command.app, command.match);
-  command.run = run;
+  describe_skin_laws(*command.app);
 }
+
+}  // namespace
+
+const Subcommand kLoftRepairCommand = {
+    "loft-repair", "The section wires of a CAD file, in step: seams, directions, parameters", add_flags, run};
 
 }  // namespace cli

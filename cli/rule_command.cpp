@@ -13,6 +13,7 @@
 #include "output.h"
 #include "pins.h"
 #include "progress_bar.h"
+#include "rule_law.h"
 #include "rule_plan.h"
 #include "rule_report.h"
 #include "values.h"
@@ -52,8 +53,12 @@ tandem::RuledSurface rule(const Command& command, Plan& plan, const std::vector<
   const tandem::Curve a = single_curve(command, shapes, 0);
   const tandem::Curve b = single_curve(command, shapes, 1);
   if (!command.match.pins.empty()) {
-    plan.rule.match.pins = locate_pins(command.match.pins, shapes[0], shapes[1]).front();
+    plan.rule.match.pins =
+        locate_pins(command.match.pins, tandem::Shape{{a}, {}}, tandem::Shape{{b}, {}}).front();
   }
+  fit_order(
+      command, plan.rails.output.format, [&](int q) { return ruled_degree({&a}, {&b}, q); }, plan.rule.law,
+      messages);
   const InterruptibleScope interruptible;
   plan.rule.match.progress = show_progress(messages.quiet());
   return tandem::rule(a, b, plan.rule);
@@ -71,6 +76,10 @@ void warn(const Messages& messages, const tandem::RuledReport& report,
   if (report.law.outcome == tandem::LawOutcome::lower_order) {
     messages.warning(
         fmt::format("the law has order {}: smoother ones leave the surface invalid", report.law.order));
+  }
+  if (report.law.outcome == tandem::LawOutcome::beyond_tolerance) {
+    messages.warning(fmt::format("the law is {:.3g} of its domain away from the match, {:.3g} was asked for",
+                                 report.law.max_deviation, report.law.tolerance));
   }
   if (certificate) warn(messages, *certificate);
 }
@@ -93,28 +102,27 @@ Status run(const Command& command) {
   write_surface(plan.rails.output, {&ruled.surface,
                                     nullptr,
                                     "\"report\": " + report,
-                                    {shapes[0].contours.front(), shapes[1].contours.front()},
+                                    {single_curve(command, shapes, 0), single_curve(command, shapes, 1)},
                                     title(command.inputs)});
   if (command.common.json && command.output != "-") write_output("-", report + "\n");
   return kDone;
 }
 
-}  // namespace
-
-void add_rule_command(CLI::App& program, Command& command) {
-  command.app = program.add_subcommand("rule", "The ruled surface between two curves");
+void add_flags(Command& command) {
   command.app->add_option("curves", command.inputs, "A and B: files, parts of files, or path data");
   add_rail_flags(command);
   command.app->get_option("--norm")->description(
       "ruled or its anti-twist form (default), developable, tangent, distance, bottleneck");
-  command.app->get_option("--order")->description("Order of v: 4 is C2 (default), 2 piecewise linear");
   command.app
       ->add_option("--inclination", command.rule.inclination,
                    "With --norm developable: rulings lean no further, in radians")
       ->type_name("X");
   command.app->add_flag("--planar", command.rule.planar, "Refuse curves that do not lie in one plane");
   command.app->add_flag("--certify", command.rule.certify, "Prove that the surface is free of folds");
-  command.run = run;
 }
+
+}  // namespace
+
+const Subcommand kRuleCommand = {"rule", "The ruled surface between two curves", add_flags, run};
 
 }  // namespace cli

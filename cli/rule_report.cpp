@@ -28,6 +28,8 @@ const char* name(LawOutcome outcome) {
       return "lower_order";
     case LawOutcome::least_bad:
       return "least_bad";
+    case LawOutcome::beyond_tolerance:
+      return "beyond_tolerance";
     case LawOutcome::as_asked:
       break;
   }

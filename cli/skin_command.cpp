@@ -12,6 +12,7 @@
 #include "messages.h"
 #include "output.h"
 #include "progress_bar.h"
+#include "rule_law.h"
 #include "skin_report.h"
 #include "surface_output.h"
 #include "tandem/curve/nearest_point.h"
@@ -41,12 +42,8 @@ Plan make_plan(const Command& command) {
   const SkinFlags& flags = command.skin;
   Plan plan;
   plan.output = plan_surface_output(*command.app, command.output, command.to, command.surface);
-  if (!command.match.reduce.empty()) {
-    throw UsageError("skin makes its laws to a tolerance: it takes --tolerance and --order, not --reduce");
-  }
+  plan.skin.law = law_options(command, plan.skin.law);
   plan.skin.match = to_match_options(command.match);
-  if (!command.match.order.empty()) plan.skin.law.order = plan.skin.match.reduction->order;
-  if (!command.match.tolerance.empty()) plan.skin.law.tolerance = plan.skin.match.reduction->tolerance;
   plan.skin.match.reduction.reset();
   plan.skin.loft.degree = parse_count("--degree", flags.degree, 1, kHighestDegree);
   plan.skin.loft.parameters = choose<LoftParameters>("--parameters", flags.parameters,
@@ -139,6 +136,9 @@ Status write_skin(const Command& command, Plan plan, std::vector<std::vector<Cur
   for (auto& level : levels) {
     for (Curve& curve : level) sections.push_back(std::move(curve));
   }
+  fit_order(
+      command, plan.output.format, [&](int q) { return skinned_degree(sections, q); }, plan.skin.law,
+      messages);
   for (const std::string& pin : command.skin.pins) plan.skin.pins.push_back(locate_pin(pin, sections));
   const auto make = [&] {
     const InterruptibleScope interruptible;
@@ -164,8 +164,31 @@ Status write_skin(const Command& command, Plan plan, std::vector<std::vector<Cur
   return kDone;
 }
 
+/// What contours_to_solid() says of levels, in terms of the inputs.
+void check_solid(const Command& command, const std::vector<std::vector<Curve>>& levels) {
+  if (levels.size() < 2) {
+    throw tandem::InvalidArgument(fmt::format(
+        "--solid needs two levels of contours or more: each input is one level, and {} is the only one",
+        command.inputs.front()));
+  }
+  for (std::size_t l = 0; l < levels.size(); ++l) {
+    for (const Curve& curve : levels[l]) {
+      if (curve.dim() == 2) {
+        throw tandem::InvalidArgument(
+            fmt::format("{}: its contours are planar; --spacing X stacks the inputs at z = 0, X, 2X, ...",
+                        command.inputs[l]));
+      }
+      if (!curve.is_closed()) {
+        throw tandem::InvalidArgument(fmt::format(
+            "{} (level {}): has an open curve, --solid takes closed contours", command.inputs[l], l));
+      }
+    }
+  }
+}
+
 Status write_solid(const Command& command, const Plan& plan, const std::vector<std::vector<Curve>>& levels,
                    const Messages& messages) {
+  check_solid(command, levels);
   tandem::SolidOptions options;
   options.match = plan.skin.match;
   options.chord = plan.output.mesh.chord;
@@ -175,6 +198,10 @@ Status write_solid(const Command& command, const Plan& plan, const std::vector<s
                                  solid.report.left_out,
                                  solid.report.left_out == 1 ? " has a partner" : "s have partners",
                                  solid.report.left_out == 1 ? "it" : "them"));
+  }
+  if (solid.report.simple == tandem::Verdict::violated) {
+    messages.warning(fmt::format("triangles {} and {} of the solid meet: it crosses or touches itself",
+                                 solid.report.crossing[0], solid.report.crossing[1]));
   }
   std::vector<Curve> curves;
   for (const auto& level : levels) curves.insert(curves.end(), level.begin(), level.end());
@@ -211,10 +238,7 @@ void add_skin_flags(CLI::App& app, SkinFlags& flags) {
       ->take_all();
 }
 
-}  // namespace
-
-void add_skin_command(CLI::App& program, Command& command) {
-  command.app = program.add_subcommand("skin", "The surface through curves, or the solid through contours");
+void add_flags(Command& command) {
   command.app->add_option("curves", command.inputs, "C1, C2, ...: files, parts of files, or path data");
   command.app->add_option("-o,--output", command.output, surface_endings())->type_name("OUT");
   command.app->add_option("--to", command.to, "json, obj, ...: whatever the ending of OUT")
@@ -223,7 +247,12 @@ void add_skin_command(CLI::App& program, Command& command) {
   add_surface_flags(*command.app, command.surface);
   add_common_flags(*command.app, command.common);
   add_match_flags(*command.app, command.match);
-  command.run = run;
+  describe_skin_laws(*command.app);
 }
+
+}  // namespace
+
+const Subcommand kSkinCommand = {"skin", "The surface through curves, or the solid through contours",
+                                 add_flags, run};
 
 }  // namespace cli

@@ -48,12 +48,12 @@ std::string format_skin_report(const tandem::SkinnedSurface& skinned,
   }
   return fmt::format(
       "{{\n  \"tandem\": \"{}\",\n  \"valid\": {},\n  \"total_cost\": {},\n  \"sequence_cost\": {},\n  "
-      "\"sweeps\": {},\n"
+      "\"sweeps\": {},\n  \"refined\": {},\n"
       "  \"crease_angle\": {},\n  \"law_deviation\": {},\n  \"interpolation_error\": {},\n  \"parameters\": "
       "{},\n"
       "  \"pairs\": [{}],\n  \"laws\": [{}]{}\n}}",
       tandem::version(), word(report.valid), json_number(report.total_cost),
-      json_number(report.sequence_cost), report.sweeps, json_number(report.crease_angle),
+      json_number(report.sequence_cost), report.sweeps, report.refined, json_number(report.crease_angle),
       json_number(report.law_deviation), json_number(report.interpolation_error), numbers(skinned.parameters),
       pairs, laws, certificate ? ",\n" + tandem::format_json_certificate(*certificate) : "");
 }
@@ -63,9 +63,11 @@ std::string format_solid_report(const tandem::Solid& solid) {
   return fmt::format(
       "{{\n  \"tandem\": \"{}\",\n  \"triangles\": {},\n  \"vertices\": {},\n  \"volume\": {},\n  \"bands\": "
       "{},\n"
-      "  \"branches\": {},\n  \"caps\": {},\n  \"left_out\": {},\n  \"valid_share\": {}\n}}",
+      "  \"branches\": {},\n  \"caps\": {},\n  \"left_out\": {},\n  \"valid_share\": {},\n  "
+      "\"tessellation_simple\": \"{}\"\n}}",
       tandem::version(), solid.mesh.triangles.size(), solid.mesh.vertices.size(), json_number(report.volume),
-      report.bands, report.branches, report.caps, report.left_out, json_number(report.valid_share));
+      report.bands, report.branches, report.caps, report.left_out, json_number(report.valid_share),
+      tandem::name(report.simple));
 }
 
 }  // namespace cli

@@ -23,6 +23,7 @@
 #include "segment_figures.h"
 #include "sheet.h"
 #include "skin_figures.h"
+#include "sweep_figure.h"
 #include "tandem/io/files.h"
 #include "tandem/io/load.h"
 #include "tandem/io/match_picture.h"
@@ -202,6 +203,7 @@ int main(int argc, char** argv) {
     pictures.merge(figures::morph_figures());
     pictures.merge(figures::ruled_figures());
     pictures.merge(figures::skin_figures());
+    pictures.merge(figures::sweep_figures());
     pictures.emplace("certificates.svg", figures::certificate_figure());
     int differ = 0;
     for (const auto& [name, svg] : pictures) {

@@ -159,9 +159,10 @@ Certificate certify(const Curve& a, const Curve& b) {
                     a.domain().lo, a.domain().hi, b.domain().lo, b.domain().hi));
   }
   const std::array<const Points*, 2> clouds = {&a.control_points(), &b.control_points()};
-  const auto plane = detail::common_plane(clouds);
+  const auto plane = detail::plane_axes(clouds);
   if (!plane)
-    throw InvalidArgument("the curves do not lie in a plane across an axis: certify their ruled surface");
+    throw InvalidArgument(
+        "the curves do not lie in one plane, within 1e-9 of their width: certify their ruled surface");
   const auto derivatives = [&](double u, double v) {
     const Points of_a = a.derivatives(u, 1);
     const Points of_b = b.derivatives(u, 1);
@@ -180,7 +181,7 @@ Certificate certify(const Curve& a, const Curve& b) {
 Certificate certify(const Surface& surface) {
   check_dimension(surface.dim());
   const std::array<const Points*, 1> clouds = {&surface.control_points()};
-  const auto plane = detail::common_plane(clouds);
+  const auto plane = detail::plane_axes(clouds);
   const auto derivatives = [&](double u, double v) { return surface.derivatives(u, v, 1); };
   return certificate(plane ? examine_planar(in_plane(surface, *plane)) : detail::examine_in_space(surface),
                      derivatives, plane);

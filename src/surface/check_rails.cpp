@@ -4,7 +4,8 @@
 
 #include <algorithm>
 
-#include "match/vector.h"
+#include "tandem/curve/knots.h"
+#include "tandem/curve/nearest_point.h"
 #include "tandem/error.h"
 
 namespace tandem {
@@ -14,8 +15,25 @@ namespace {
 
 /// The tolerance within which ends of closed curves meet, as a share of the size.
 constexpr double kCoincident = 1e-9;
-/// Pairs of points at which curves are compared.
-constexpr int kComparisons = 64;
+/// Places per span at which curves are compared, besides one per degree: two polynomials that agree at so
+/// many are one.
+constexpr int kPlaces = 4;
+
+/// Does every point of a that is looked at lie on b?
+bool lies_on(const Curve& a, const Curve& b) {
+  const double near = kCoincident * std::max(a.extent(), b.extent());
+  const int places = a.degree() + kPlaces;
+  double from = a.domain().lo;
+  for (const Knot& knot : distinct_knots(a.knots())) {
+    if (!(knot.value > from) || knot.value > a.domain().hi) continue;
+    for (int i = 0; i <= places; ++i) {
+      const double t = from + (knot.value - from) * i / places;
+      if (nearest_point(b, a.evaluate(a.domain().clamp(t))).distance > near) return false;
+    }
+    from = knot.value;
+  }
+  return true;
+}
 
 }  // namespace
 
@@ -33,14 +51,12 @@ void check_rails(const Curve& a, const Curve& b, ClosedMode closed, std::string_
   }
 }
 
+bool do_coincide(const Curve& a, const Curve& b) {
+  return a.dim() == b.dim() && lies_on(a, b) && lies_on(b, a);
+}
+
 void refuse_coincident(const Curve& a, const Curve& b) {
-  const Interval domain = a.domain();
-  const double near = kCoincident * std::max(a.extent(), b.extent());
-  for (int i = 0; i <= kComparisons; ++i) {
-    const double u = domain.lo + domain.length() * i / kComparisons;
-    if (distance(a.evaluate(u), b.evaluate(u)) > near) return;
-  }
-  throw InvalidArgument("the two curves coincide: no surface between them");
+  if (do_coincide(a, b)) throw InvalidArgument("the two curves coincide: no surface between them");
 }
 
 }  // namespace detail

@@ -13,7 +13,10 @@ namespace detail {
 /// ClosedMode::no. what: "a ruled surface", say.
 void check_rails(const Curve& a, const Curve& b, ClosedMode closed, std::string_view what);
 
-/// @throws InvalidArgument the rails, over one domain, are nowhere further apart than 1e-9 of their size
+/// Are both the same set of points, within 1e-9 of their size, whatever their parameters, directions and
+/// seams? Matched, they would be no further apart than their law is off: it is to be asked before.
+[[nodiscard]] bool do_coincide(const Curve& a, const Curve& b);
+/// @throws InvalidArgument they do
 void refuse_coincident(const Curve& a, const Curve& b);
 
 }  // namespace detail

@@ -132,6 +132,17 @@ std::vector<BernsteinGrid> EnclosedSurface::normal(const Cell& cell) const {
   return result;
 }
 
+// Rational, S = X / W: W X_u - W_u X, which is W^2 times S_u.
+std::vector<BernsteinGrid> EnclosedSurface::tangent(std::size_t along, const Cell& cell) const {
+  std::vector<BernsteinGrid> by = patch(cell, along == 0, along == 1);
+  if (!rational_) return by;
+  const std::vector<BernsteinGrid> x = patch(cell, false, false);
+  std::vector<BernsteinGrid> result;
+  for (std::size_t c = 0; c < dim_; ++c)
+    result.push_back(difference(product(x[dim_], by[c]), product(by[dim_], x[c])));
+  return result;
+}
+
 EnclosedSpline EnclosedSurface::edge(std::size_t along, bool at_end) const {
   const auto outermost = [at_end](const std::vector<double>& breaks) {
     return at_end ? Interval{breaks[breaks.size() - 2], breaks.back()} : Interval{breaks[0], breaks[1]};

@@ -31,6 +31,10 @@ class EnclosedSurface {
   /// (planar) or all three, as polynomials. An edge of the surface that is one point is divided out.
   [[nodiscard]] std::vector<BernsteinGrid> normal(const Cell& cell) const;
 
+  /// S_u (`along` = 0) or S_v (1) of a surface in space over such a cell, up to a positive factor: its three
+  /// coordinates.
+  [[nodiscard]] std::vector<BernsteinGrid> tangent(std::size_t along, const Cell& cell) const;
+
   /// Whether an edge is one point, exactly: of u (0) or v (1) fixed, at the start or the end.
   [[nodiscard]] bool is_pole(std::size_t along, bool at_end) const noexcept {
     return poles_[along][at_end ? 1 : 0];

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
 #include <utility>
 
 #include "tandem/error.h"
@@ -29,9 +30,18 @@ constexpr std::size_t kInsideSpan = 7;
 // Triangles that are no higher than this share of the extent may lie askew: at cusps and folds all do.
 constexpr double kThin = 1e-3;
 
+// Grids larger than this are refused as soon as they are bound to end above kMostVertices: cells are small by
+// then, and bends fall to a quarter with each halving. With a factor to spare, for features that halving
+// singles out.
+constexpr std::size_t kForesight = std::size_t{1} << 15U;
+constexpr double kToSpare = 4.0;
+
 struct Split {
   bool u = false;
   bool v = false;
+  // Into how many parts in the end, to go by the bend.
+  double parts_u = 1.0;
+  double parts_v = 1.0;
 };
 
 /// Between two lines of the grid.
@@ -139,8 +149,14 @@ class CellJudge {
     const double v = bend(Along::v);
     // A bend of less than this share of what is wrong is not its cause.
     constexpr double kShare = 0.25;
-    if (std::max(u, v) > kShare * off) return {u >= v || u > chord_, v > u || v > chord_};
-    return longer(corners);
+    if (std::max(u, v) <= kShare * off) {
+      // Twisted: halving either parameter halves what it is off.
+      Split split = longer(corners);
+      split.parts_u = split.parts_v = std::sqrt(off / chord_);
+      return split;
+    }
+    return {u >= v || u > chord_, v > u || v > chord_, std::sqrt(std::max(1.0, u / chord_)),
+            std::sqrt(std::max(1.0, v / chord_))};
   }
 
   [[nodiscard]] static Split longer(const CellCorners<Vector3>& c) {
@@ -230,6 +246,15 @@ std::vector<double> lines_of(const Intervals& intervals) {
   return lines;
 }
 
+[[noreturn]] void refuse(double chord) {
+  throw InvalidArgument(fmt::format(
+      "a chord distance of {} needs more than {} vertices, expected a larger one", chord, kMostVertices));
+}
+
+double sum_of(const std::vector<double>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0);
+}
+
 }  // namespace
 
 ParameterGrid fine_grid(const ScaledSurface& surface, double chord, double angle) {
@@ -237,13 +262,12 @@ ParameterGrid fine_grid(const ScaledSurface& surface, double chord, double angle
   Intervals u = first_intervals(surface.surface(), Along::u);
   Intervals v = first_intervals(surface.surface(), Along::v);
   for (;;) {
-    if (u.size() + 1 > kMostVertices / (v.size() + 1)) {
-      throw InvalidArgument(fmt::format(
-          "a chord distance of {} needs more than {} vertices, expected a larger one", chord, kMostVertices));
-    }
+    if (u.size() + 1 > kMostVertices / (v.size() + 1)) refuse(chord);
     const bool angles = u.size() * v.size() <= kMostCellsForAngle;
     std::vector<std::uint8_t> split_u(u.size(), 0);
     std::vector<std::uint8_t> split_v(v.size(), 0);
+    std::vector<double> parts_u(u.size(), 1.0);
+    std::vector<double> parts_v(v.size(), 1.0);
     for (std::size_t i = 0; i < u.size(); ++i) {
       for (std::size_t j = 0; j < v.size(); ++j) {
         // Seen before, or about to be split anyway.
@@ -251,8 +275,12 @@ ParameterGrid fine_grid(const ScaledSurface& surface, double chord, double angle
         const Split split = judge.judge(u[i], v[j], angles);
         if (split.u) split_u[i] = 1;
         if (split.v) split_v[j] = 1;
+        parts_u[i] = std::max(parts_u[i], split.parts_u);
+        parts_v[j] = std::max(parts_v[j], split.parts_v);
       }
     }
+    const bool is_bound_to_end_above = sum_of(parts_u) * sum_of(parts_v) > kToSpare * kMostVertices;
+    if (u.size() * v.size() > kForesight && is_bound_to_end_above) refuse(chord);
     Intervals finer_u = halve(u, split_u);
     Intervals finer_v = halve(v, split_v);
     if (finer_u.size() == u.size() && finer_v.size() == v.size()) return {lines_of(u), lines_of(v)};

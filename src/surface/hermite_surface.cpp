@@ -164,6 +164,7 @@ HermiteSurface blend_rails(const Rail& first, const Rail& second, const HermiteO
   check_rail(second, "second");
   detail::check_rails(first.curve, second.curve, options.match.closed, "a blend surface");
   if (!(options.largest_crease >= 0.0)) throw InvalidArgument("the largest crease must be an angle >= 0");
+  detail::refuse_coincident(first.curve, second.curve);
 
   RailOptions rails = rail_options(options);
   if (first.curve.dim() == 3) {
@@ -174,9 +175,9 @@ HermiteSurface blend_rails(const Rail& first, const Rail& second, const HermiteO
   }
   PairedRails paired = detail::pair_rails(first.curve, second.curve, rails);
   Match& match = paired.match;
-  detail::refuse_coincident(first.curve, match.curve);
 
   Surface surface = hermite(first, in_step(second, match.correspondence, match.reparametrization));
+  if (match.report.cancelled) return {std::move(surface), std::move(match), {}};
   HermiteReport report;
   report.validity = check_validity(first.curve, match.curve);
   match.report.validity = report.validity;

@@ -10,6 +10,7 @@
 #include "surface/refine_path.h"
 #include "tandem/curve/compose.h"
 #include "tandem/curve/edit.h"
+#include "tandem/progress.h"
 
 namespace tandem {
 inline namespace v0 {
@@ -64,7 +65,7 @@ class Pairing {
   }
 
   PairedRails run() {
-    if (match_.report.cancelled) return finish({match_.reparametrization, match_.curve}, {});
+    if (is_cancelled()) return finish({match_.reparametrization, match_.curve}, {});
     const Candidate on_path = candidate({2, kOnPath, options_.law.min_slope});
     defect_ = on_path.defect;
     const bool was_cut = !(match_.correspondence.domain_v == b_.domain());
@@ -73,6 +74,13 @@ class Pairing {
   }
 
  private:
+  /// Asked before anything that may take long: curves of high degree are slow to compose and to look at.
+  [[nodiscard]] bool is_cancelled() {
+    const Progress& progress = options_.match.progress;
+    if (progress && !progress(1.0)) match_.report.cancelled = true;
+    return match_.report.cancelled;
+  }
+
   struct Candidate {
     Reparametrization r;
     Curve curve;
@@ -105,9 +113,8 @@ class Pairing {
   void refine(const Candidate& before) {
     const Curve second = second_curve(b_, match_.correspondence, before.r);
     const FitPath kept = path_;
-    for (const RailNorm* norm : {&options_.refinement, &options_.flipped}) {
-      if (!*norm) continue;
-      const FitPath previous = std::exchange(path_, refine_path(a_, second, kept, *norm, {options_.strain}));
+    const auto take_better = [&](FitPath refined) {
+      const FitPath previous = std::exchange(path_, std::move(refined));
       const Candidate after = candidate({2, kOnPath, options_.law.min_slope});
       if (after.defect < defect_) {
         defect_ = after.defect;
@@ -115,6 +122,12 @@ class Pairing {
       } else {
         path_ = previous;
       }
+    };
+    for (const RailNorm* norm : {&options_.refinement, &options_.flipped}) {
+      if (!*norm) continue;
+      take_better(refine_path(a_, second, kept, *norm, {options_.strain}));
+      if (defect_ > options_.slack)
+        take_better(refine_path_along_first(a_, second, kept, *norm, {options_.strain}));
     }
   }
 
@@ -155,16 +168,26 @@ class Pairing {
         const LawOutcome outcome = order < options_.law.order ? LawOutcome::lower_order
                                    : step > 0                 ? LawOutcome::finer
                                                               : LawOutcome::as_asked;
+        if (best && is_cancelled()) return finish(std::move(best->candidate), best->report);
         Tried next = try_law(law, outcome);
         const bool missed = next.report.max_deviation > law.tolerance;
         if (!best || next.beats(*best)) best = std::move(next);
-        if (best->rank == 2) return finish(std::move(best->candidate), best->report);
+        if (best->rank == 2) return finish(std::move(best->candidate), told_apart(best->report));
         // A smaller tolerance would change nothing.
         if (missed) break;
       }
     }
     if (best->rank == 0) best->report.outcome = LawOutcome::least_bad;
-    return finish(std::move(best->candidate), best->report);
+    return finish(std::move(best->candidate), told_apart(best->report));
+  }
+
+  /// A good law may still be one that is not as near to the path as was asked.
+  [[nodiscard]] LawReport told_apart(LawReport report) const {
+    const bool is_as_asked = report.outcome == LawOutcome::as_asked || report.outcome == LawOutcome::finer;
+    if (is_as_asked && report.max_deviation > options_.law.tolerance) {
+      report.outcome = LawOutcome::beyond_tolerance;
+    }
+    return report;
   }
 
   [[nodiscard]] PairedRails finish(Candidate taken, const LawReport& report) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <utility>
+#include <vector>
 
 #include "match/vector.h"
 
@@ -26,12 +27,12 @@ Point across(std::span<const double> point, const Plane& plane) {
 }
 
 /// The longest of these, and its length.
-std::pair<Point, double> furthest(std::span<const Curve> curves, const Plane& plane) {
+std::pair<Point, double> furthest(std::span<const Points* const> clouds, const Plane& plane) {
   Point furthest(plane.origin.size(), 0.0);
   double length = 0.0;
-  for (const Curve& curve : curves) {
-    for (std::size_t i = 0; i < curve.size(); ++i) {
-      Point unit = across(curve.control_points()[i], plane);
+  for (const Points* cloud : clouds) {
+    for (std::size_t i = 0; i < cloud->size(); ++i) {
+      Point unit = across((*cloud)[i], plane);
       const double own = normalize(unit);
       if (own <= length) continue;
       length = own;
@@ -49,12 +50,12 @@ Point unit_vector(std::size_t dim, std::size_t axis) {
 
 }  // namespace
 
-std::optional<Plane> common_plane(std::span<const Curve> curves) {
-  const auto first = curves.front().control_points()[0];
+std::optional<Plane> common_plane(std::span<const Points* const> clouds) {
+  const auto first = (*clouds.front())[0];
   Plane plane{Point(first.begin(), first.end()), {}, {}};
-  auto [x, size] = furthest(curves, plane);
+  auto [x, size] = furthest(clouds, plane);
   plane.x = std::move(x);
-  auto [y, width] = furthest(curves, plane);
+  auto [y, width] = furthest(clouds, plane);
   plane.is_line = width <= kInPlane * size;
   plane.y = std::move(y);
   if (first.size() == 2) {
@@ -64,8 +65,17 @@ std::optional<Plane> common_plane(std::span<const Curve> curves) {
     plane.y = unit_vector(2, 1);
     return plane;
   }
-  if (!plane.is_line && furthest(curves, plane).second > kInPlane * size) return std::nullopt;
+  plane.width = width;
+  if (plane.is_line) return plane;
+  plane.thickness = furthest(clouds, plane).second;
+  if (plane.thickness > kInPlane * size) return std::nullopt;
   return plane;
+}
+
+std::optional<Plane> common_plane(std::span<const Curve> curves) {
+  std::vector<const Points*> clouds;
+  for (const Curve& curve : curves) clouds.push_back(&curve.control_points());
+  return common_plane(std::span<const Points* const>(clouds));
 }
 
 Curve in_plane(const Curve& curve, const Plane& plane) {

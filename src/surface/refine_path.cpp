@@ -207,6 +207,24 @@ FitPath refine_path(const Curve& first, const Curve& second, const FitPath& path
   return refined;
 }
 
+FitPath refine_path_along_first(const Curve& first, const Curve& second, const FitPath& path,
+                                const RailNorm& norm, const RefineOptions& options) {
+  FitPath inverse;
+  for (const ParameterPair& point : path.points) {
+    inverse.points.push_back({point.v, point.u});
+    const bool corner =
+        std::binary_search(path.corner_parameters.begin(), path.corner_parameters.end(), point.u);
+    if (corner) inverse.corner_parameters.push_back(point.v);
+  }
+  const RailNorm swapped = [&](const NormArguments& pair) {
+    return norm({pair.tangent2, pair.tangent1, pair.point2, pair.point1});
+  };
+  FitPath refined{{}, path.corner_parameters};
+  for (const ParameterPair& point : refine_path(second, first, inverse, swapped, options).points)
+    refined.points.push_back({point.v, point.u});
+  return refined;
+}
+
 }  // namespace detail
 }  // namespace v0
 }  // namespace tandem

@@ -23,6 +23,11 @@ struct RefineOptions {
 [[nodiscard]] FitPath refine_path(const Curve& first, const Curve& second, const FitPath& path,
                                   const RailNorm& norm, const RefineOptions& options);
 
+/// The same with nodes that slide along the first curve: where that one has to all but stand still, for want
+/// of a part like one of the second, there are too few nodes that slide along the second.
+[[nodiscard]] FitPath refine_path_along_first(const Curve& first, const Curve& second, const FitPath& path,
+                                              const RailNorm& norm, const RefineOptions& options);
+
 }  // namespace detail
 }  // namespace v0
 }  // namespace tandem

@@ -4,9 +4,11 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <vector>
 
 #include "surface/cells.h"
 #include "surface/enclosed_surface.h"
+#include "surface/singular_point.h"
 
 namespace tandem {
 inline namespace v0 {
@@ -68,11 +70,27 @@ bool is_zero_at(const CellPiece& piece, std::size_t i, std::size_t j) {
                      [&](const BernsteinGrid& f) { return f.at(i, j).is_zero(); });
 }
 
+// Pieces in which a singular point is looked for: most are decided before they are as small as a 64th of the
+// span they are in, and where the surface is nearly singular along a curve there are too many of them.
+constexpr double kSmall = 1.0 / 64.0;
+constexpr int kAttempts = 200;
+
+bool is_small(const CellPiece& piece, const EnclosedSurface& surface) {
+  for (const std::size_t along : {0U, 1U}) {
+    const std::vector<double>& breaks = surface.breaks()[along];
+    const auto next = std::upper_bound(breaks.begin(), breaks.end(), piece.middle()[along]);
+    if (next == breaks.begin() || next == breaks.end()) return false;
+    if (piece.cell[along].length() > kSmall * (*next - *(next - 1))) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 Findings examine_in_space(const Surface& surface) {
   const EnclosedSurface enclosed(surface);
   std::optional<Parameters> zero;
+  int attempts = 0;
   const auto decide = [&](const CellPiece& piece) {
     const BernsteinGrid& shape = piece.normal.front();
     for (const std::size_t i : {std::size_t{0}, shape.rows - 1}) {
@@ -83,7 +101,12 @@ Findings examine_in_space(const Surface& surface) {
       }
     }
     const auto n = common_direction(piece);
-    return n && is_regular(piece, *n);
+    if (n && is_regular(piece, *n)) return true;
+    if (!zero && is_small(piece, enclosed) && attempts < kAttempts) {
+      ++attempts;
+      zero = singular_point(enclosed, piece);
+    }
+    return false;
   };
   const bool all_decided = search_cells(enclosed, decide, [&](int) { return zero.has_value(); });
   Findings result;

@@ -115,6 +115,7 @@ Match in_space(Match match, const Curve& b) {
 RuledSurface rule(const Curve& a, const Curve& b, const RuleOptions& options) {
   check(a, b, options);
   const std::optional<Plane> plane = plane_of(a, b, options);
+  detail::refuse_coincident(a, b);
   const bool projected = plane && a.dim() > 2;
   const Curve rail_a = projected ? detail::in_plane(a, *plane) : a;
   const Curve rail_b = projected ? detail::in_plane(b, *plane) : b;
@@ -128,7 +129,7 @@ RuledSurface rule(const Curve& a, const Curve& b, const RuleOptions& options) {
   PairedRails paired = detail::pair_rails(rail_a, rail_b, rails);
 
   const Curve second = paired.match.curve;
-  detail::refuse_coincident(rail_a, second);
+  if (paired.match.report.cancelled) return {between(rail_a, second), std::move(paired.match), {}};
   RuledReport report;
   report.planar = plane.has_value();
   report.norm = norm_name(options, report.planar, paired.match.report);

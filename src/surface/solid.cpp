@@ -14,6 +14,7 @@
 #include "surface/cut_ring.h"
 #include "surface/triangulate_region.h"
 #include "tandem/error.h"
+#include "tandem/surface/simple_mesh.h"
 
 namespace tandem {
 inline namespace v0 {
@@ -56,6 +57,9 @@ class Assembly {
     }
     fill_vertices();
     solid_.report.volume = volume(solid_.mesh);
+    const SimpleMesh simple = find_simple(solid_.mesh);
+    solid_.report.simple = simple.verdict;
+    solid_.report.crossing = simple.triangles;
     return std::move(solid_);
   }
 

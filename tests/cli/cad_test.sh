@@ -21,6 +21,31 @@ done
 expect 0 convert "$letters" -o other --to step
 that "STEP begins with its name" grep -q '^ISO-10303-21;' other
 
+# Degrees that end at 25: the order of the law gives way, if it was not asked for.
+for degree in 9 13 26; do
+  awk -v p=$degree 'BEGIN {
+    for (k = 0; k < 2; ++k) {
+      printf "%s{\"degree\": %d, \"points\": [", k ? ", " : "{\"curves\": [", p
+      for (i = 0; i <= p; ++i) printf "%s[%.6f,%.6f,%.6f]", i ? "," : "", i / p, sin(3 * i / p + 0.3 * k) + k, k * (1 + i / p)
+      printf "]}"
+    }
+    print "]}"
+  }' >"degree$degree.json"
+done
+expect 0 rule degree9.json#0 degree9.json#1 -o nine.step
+err_has 'order 3 instead of 4: the surface is of degree 18 along u, 25 is the highest of STEP'
+expect 3 rule degree9.json#0 degree9.json#1 -o x.step --order 4
+err_has 'leave --order out'
+expect 0 rule degree13.json#0 degree13.json#1 -o thirteen.igs
+err_has 'order 2 instead of 4'
+expect 0 skin degree13.json -o thirteen.brep
+err_has 'order 2 instead of 3'
+expect 3 rule degree26.json#0 degree26.json#1 -o x.brep
+err_has '25 is the highest'
+expect 0 convert degree13.json -o thirteen.step
+expect 0 loft-repair thirteen.step -o repaired13.step
+err_has 'order 2 instead of 3'
+
 # Sections in step.
 expect 0 loft-repair letters.step -o repaired.step --json
 out_has '"total_cost"'

@@ -29,6 +29,20 @@ err_empty # standard error is no terminal: no bar, and the shell knows why it en
 interrupted 130 INT morph "$circle" "$wave" "${long[@]}" -o frames/
 interrupted 143 TERM morph "$circle" "$wave" "${long[@]}" -o out.svg
 
+# Laws of high degree are slow to compose and to look at; between them the program looks up.
+awk 'BEGIN {
+  for (k = 0; k < 2; ++k) {
+    printf "%s{\"degree\": 33, \"points\": [", k ? ", " : "{\"curves\": ["
+    for (i = 0; i <= 3000; ++i) printf "%s[%.6f,%.6f,%.6f]", i ? "," : "", i / 300, sin(i / 10 + 0.3 * k), k
+    printf "]}"
+  }
+  print "]}"
+}' >high.json
+start=$SECONDS
+interrupted 143 TERM rule high.json#0 high.json#1 -o x.json --quiet
+that "soon" test $((SECONDS - start)) -le 20
+rm high.json
+
 # While frames are written: the directory is taken away again.
 interrupted 130 INT morph 'M0 0L4 4' 'M0 1L5 2' -o many/ --frames 100000 --quiet
 

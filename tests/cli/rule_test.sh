@@ -58,6 +58,65 @@ that "blend.json is cubic across" grep -Eq '"degree": *\[[0-9]+, *3\]' blend.jso
 expect 0 blend "${rails[@]}" -o blend.stl
 that "blend.stl" test -s blend.stl
 
+# one contour of several
+ring='M0 0H8V8H0ZM2 2H4V4H2Z'
+outer='M-2 -2H10V10H-2Z'
+expect 3 rule "$ring" "$outer" -o x.json
+err_has 'has 2 contours; rule takes one curve each, and --contour N picks one: 0 \(length 32\), 1 \(length 8\)'
+expect 3 rule "$ring" "$outer" -o x.json --contour 2
+err_has 'and no 2;'
+expect 0 rule "$ring" "$outer" -o outer.json --contour 0 --quiet
+expect 0 rule "$ring" "$outer" -o hole.json --contour 1,0 --quiet
+expect 0 rule "${ring/ZM*/Z}" "$outer" -o alone.json --quiet
+control_points() { grep -o '"points": *\[.*' "$1"; }
+that "the outer contour is the one without the hole" test "$(control_points outer.json)" == "$(control_points alone.json)"
+that "the hole is another" test "$(control_points hole.json)" != "$(control_points alone.json)"
+expect 2 rule "$ring" "$outer" -o x.json --contour 0,1,0
+expect 2 rule "$ring" "$outer" -o x.json --contour -1
+
+# the order that fits
+# curves DEGREE FILE: two Bezier curves.
+curves() {
+  awk -v p="$1" 'BEGIN {
+    for (k = 0; k < 2; ++k) {
+      printf "%s{\"degree\": %d, \"points\": [", k ? ", " : "{\"curves\": [", p
+      for (i = 0; i <= p; ++i) printf "%s[%.6f,%.6f,%.6f]", i ? "," : "", i / p, sin(3 * i / p + 0.3 * k) + k, k * (1 + i / p)
+      printf "]}"
+    }
+    print "]}"
+  }' >"$2"
+}
+curves 40 forty.json
+expect 0 rule forty.json#0 forty.json#1 -o x40.json
+err_has 'order 3 instead of 4: the surface is of degree 80 along u, 100 is the highest'
+that "it is of that degree" grep -Eq '"degree": *\[80, *1\]' x40.json
+expect 3 rule forty.json#0 forty.json#1 -o x.json --order 4
+err_has 'of degree 120 along u, with a law of order 4: 100 is the highest; leave --order out'
+expect 0 skin forty.json -o x40.json --order 2
+curves 120 many.json
+for command in "rule many.json#0 many.json#1" "skin many.json"; do
+  start=$SECONDS
+  # shellcheck disable=SC2086  # words are wanted
+  expect 3 $command -o x.json
+  err_has 'degree 120 along u.*100 is the highest.*approximate'
+  that "at once" test $((SECONDS - start)) -le 5
+done
+
+# a tessellation of too many triangles is refused early
+start=$SECONDS
+expect 3 rule "${letters[@]}" -o x.stl --chord 1e-9 --quiet
+expect 3 rule "${letters[@]}" -o x.stl --chord 1e-9
+err_has 'vertices, expected a larger one'
+that "in seconds" test $((SECONDS - start)) -le 60
+
+# what cannot be written is known before anything is read
+expect 1 rule missing.json missing.json -o nowhere/x.json
+err_has 'cannot write nowhere/x.json'
+mkdir here.json
+expect 1 rule "${u[@]}" -o here.json
+err_has 'cannot write here.json'
+rmdir here.json
+
 # what is refused
 expect 3 rule "${letters[0]}" "${letters[0]}" -o x.json
 err_has 'coincide'
@@ -69,8 +128,9 @@ expect 3 rule "${letters[0]}" "$square" -o x.json
 err_has 'different dimensions'
 expect 3 rule 'M0 0H10' 'M20 0H30' -o x.json
 err_has 'on one line'
-expect 3 rule 'M0 0H4V4H0ZM10 0H14V4H10Z' "$square" -o x.json
-err_has 'has 2 contours'
+# The same outline, though it begins elsewhere.
+expect 3 rule 'M0 0H4V4H0Z' 'M4 4H0V0H4Z' -o x.json
+err_has 'coincide'
 expect 3 blend "${rails[0]}" "${rails[1]}" "${rails[0]}" "${rails[1]}" -o x.json
 err_has 'coincide'
 expect 2 rule "${u[@]}"

@@ -39,6 +39,7 @@ expect 2 skin "$bells" -o - --pin '1,2=1,2=1,2=1,2=1,2'
 err_has "'1,2' has 2 coordinates, expected 3"
 
 # Levels of contours to a solid.
+ring_of_two='M0 0H4V4H0ZM1 1H2V2H1Z'
 square_at 1 0 a
 square_at 1 3 b
 expect 0 skin --solid squarea.json squareb.json -o box.stl --json
@@ -49,6 +50,30 @@ expect 0 skin --solid "$square" 'M0 0H1V4H0ZM3 0H4V4H3Z' -o legs.obj --spacing 2
 out_has '"branches": 1'
 expect 3 skin --solid squarea.json squareb.json -o box.json
 err_has 'json'
+
+expect 0 skin --solid squarea.json squareb.json -o box.stl --json
+err_empty
+out_has '"tessellation_simple": "certified"'
+comb='M0 0H4V1H1V2H4V3H1V4H4V5H0Z'
+mirrored='M0 0H-4V1H-1V2H-4V3H-1V4H-4V5H0Z'
+expect 0 skin --solid "$comb" "$mirrored" -o comb.stl --spacing 1 --json
+out_has '"tessellation_simple": "violated"'
+err_has 'it crosses or touches itself'
+expect 3 skin --solid "$square" "$triangle" -o x.stl
+err_has '--spacing X stacks the inputs'
+expect 3 skin --solid "$ring_of_two" -o x.stl
+err_has 'each input is one level'
+expect 3 skin --solid "$square" 'M0 0H4V4' -o x.stl --spacing 1
+err_has 'has an open curve'
+
+# Its own defaults are in its help.
+for command in skin loft-repair; do
+  expect 0 $command --help
+  out_has '3 is C1 \(default\)'
+  out_has '0\.002'
+done
+expect 1 skin missing.json -o nowhere/x.json
+err_has 'cannot write nowhere/x.json'
 
 # What is no chain of sections.
 expect 3 skin "$bells#0" -o x.json

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <string>
 #include <utility>
 #include <vector>
@@ -367,13 +368,87 @@ TEST(Certificate, InSpaceIsOfRegularityAndTheTessellation) {
   const Surface umbrella(
       {1, 2}, {std::vector<double>{-1, -1, 2, 2}, {-1, -1, -1, 1.5, 1.5, 1.5}},
       Points({{-1, 1, 1}, {-1, -0.25, -1.5}, {-1, -1.5, 2.25}, {2, -2, 1}, {2, 0.5, -1.5}, {2, 3, 2.25}}));
-  EXPECT_NE(certify(umbrella).regular, Verdict::certified);
+  const Certificate of_umbrella = certify(umbrella);
+  EXPECT_EQ(of_umbrella.regular, Verdict::violated);
+  ASSERT_TRUE(of_umbrella.witness);
+  EXPECT_EQ(of_umbrella.witness->kind, WitnessKind::zero);
+  EXPECT_NEAR(of_umbrella.witness->places[0].u, 0.0, 3e-6);
+  EXPECT_NEAR(of_umbrella.witness->places[0].v, 0.0, 2.5e-6);
   // A cone to its tip, which is one point.
   Points tip(3, 14);
   for (std::size_t i = 0; i < tip.size(); ++i) tip[i][2] = 2.0;
   const Surface cone =
       Surface::of_rows(std::array{rail(0, 0), Curve::clamped_uniform(3, tip)}, 1, {0, 0, 1, 1});
   EXPECT_EQ(certify(cone).regular, Verdict::certified);
+}
+
+// |S_u x S_v| / (|S_u| |S_v|).
+double sine_of_parameters(const Surface& surface, double u, double v) {
+  const Points d = surface.derivatives(u, v, 1);
+  const double x = d[1][1] * d[2][2] - d[1][2] * d[2][1];
+  const double y = d[1][2] * d[2][0] - d[1][0] * d[2][2];
+  const double z = d[1][0] * d[2][1] - d[1][1] * d[2][0];
+  return std::hypot(x, y, z) /
+         (std::hypot(d[1][0], d[1][1], d[1][2]) * std::hypot(d[2][0], d[2][1], d[2][2]));
+}
+
+// Moved into a plane that is tilted, with all the rounding that comes of it.
+Surface tilted(const Surface& flat, double a, double b, double shift) {
+  Points points(3, flat.control_points().size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto p = flat.control_points()[i];
+    const std::array<double, 3> q = {p[0] * std::cos(a), p[0] * std::sin(a), p[1]};
+    points[i][0] = q[0] + shift;
+    points[i][1] = q[1] * std::cos(b) - q[2] * std::sin(b) - 2 * shift;
+    points[i][2] = q[1] * std::sin(b) + q[2] * std::cos(b) + 0.3 * shift;
+  }
+  return Surface({flat.degree(Along::u), flat.degree(Along::v)}, {flat.knots(Along::u), flat.knots(Along::v)},
+                 points, flat.weights());
+}
+
+TEST(Certificate, InATiltedPlaneIsThatOfThePlane) {
+  PlanarPairs pairs(11);
+  int certified = 0;
+  int violated = 0;
+  for (int i = 0; i < 100; ++i) {
+    const Surface flat = ruled(pairs.next());
+    const Verdict expected = certify(flat).verdict;
+    const Surface surface = tilted(flat, 0.1 * i, 1.0 + 0.37 * i, i % 2 == 0 ? 0.0 : 0.7);
+    const Certificate certificate = certify(surface);
+    EXPECT_TRUE(certificate.one_to_one) << i;
+    EXPECT_EQ(certificate.verdict, expected) << i;
+    if (certificate.verdict == Verdict::certified) ++certified;
+    if (certificate.verdict != Verdict::violated) continue;
+    ++violated;
+    ASSERT_TRUE(certificate.witness) << i;
+    const Witness& witness = *certificate.witness;
+    if (witness.kind != WitnessKind::sign_change) continue;
+    // The normals at both places are opposite.
+    const Point n = surface.normal(witness.places[0].u, witness.places[0].v);
+    const Point m = surface.normal(witness.places[1].u, witness.places[1].v);
+    EXPECT_LT(n[0] * m[0] + n[1] * m[1] + n[2] * m[2], -0.99) << i;
+    EXPECT_LT(witness.places[0].jacobian * witness.places[1].jacobian, 0.0) << i;
+  }
+  EXPECT_GT(certified, 20);
+  EXPECT_GT(violated, 10);
+}
+
+// Off its plane by more than rounding it is a surface in space.
+TEST(Certificate, OfWhatIsNotQuiteFlatIsThatOfSpace) {
+  Surface flat = ruled(wavy_strip(0.4));
+  const auto lifted = [&](double height) {
+    Points points(3, flat.control_points().size());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      points[i][0] = flat.control_points()[i][0];
+      points[i][1] = flat.control_points()[i][1];
+      points[i][2] = 0.5 * points[i][0] + (i == 7 ? height : 0.0);
+    }
+    return Surface({flat.degree(Along::u), flat.degree(Along::v)},
+                   {flat.knots(Along::u), flat.knots(Along::v)}, points, flat.weights());
+  };
+  EXPECT_TRUE(certify(lifted(1e-12)).one_to_one);
+  EXPECT_FALSE(certify(lifted(1e-7)).one_to_one);
+  EXPECT_EQ(certify(lifted(1e-7)).regular, Verdict::certified);
 }
 
 TEST(Certificate, InSpaceIsNeverWrongOnRandomSurfaces) {
@@ -409,6 +484,34 @@ TEST(Certificate, InSpaceIsNeverWrongOnRandomSurfaces) {
     }
   }
   EXPECT_GT(certified, 100);
+}
+
+TEST(Certificate, InSpaceFindsSingularPoints) {
+  testing::RandomSurfaces surfaces(5);
+  int certified = 0;
+  int violated = 0;
+  int undecided = 0;
+  for (int i = 0; i < 60; ++i) {
+    const bool rational = i % 3 == 0;
+    const Surface surface = surfaces.surface(2, i % 2 + 1, 3, rational, true);
+    const Certificate certificate = certify(surface);
+    certified += certificate.regular == Verdict::certified ? 1 : 0;
+    undecided += certificate.regular == Verdict::undecided ? 1 : 0;
+    if (certificate.regular != Verdict::violated) continue;
+    ++violated;
+    ASSERT_EQ(certificate.witness->kind, WitnessKind::zero) << i;
+    const SurfacePlace& place = certificate.witness->places[0];
+    EXPECT_LT(sine_of_parameters(surface, place.u, place.v), 1e-4) << i;
+    // Just beside it the surface is regular: it is a point.
+    const double step = 1e-3 * surface.domain(Along::u).length();
+    const double beside = place.u + step < surface.domain(Along::u).hi ? place.u + step : place.u - step;
+    EXPECT_GT(sine_of_parameters(surface, beside, place.v), sine_of_parameters(surface, place.u, place.v))
+        << i;
+  }
+  std::printf("random surfaces in space: %d certified, %d singular, %d undecided\n", certified, violated,
+              undecided);
+  EXPECT_GT(violated, 20);
+  EXPECT_LE(undecided, 6);
 }
 
 TEST(Certificate, RefusesWhatHasNone) {

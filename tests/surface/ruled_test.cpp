@@ -164,6 +164,12 @@ TEST(Ruled, LettersKeepTheirFeatures) {
   EXPECT_GE(rule(letters[0], letters[1], options).report.tangents.valid_share, 1.0 - 0.002);
 }
 
+// Either letter may come first: what stands still, for want of an arm, may be the first curve or the second.
+TEST(Ruled, LettersMayBeExchanged) {
+  const std::vector<Curve> letters = testing::cad_case("letters_EF");
+  EXPECT_GE(rule(letters[1], letters[0]).report.tangents.valid_share, 0.998);
+}
+
 TEST(Ruled, PiecewiseLinearLawsCreaseAndTheReportSaysSo) {
   const std::vector<Curve> letters = testing::cad_case("letters_EF");
   RuleOptions options;
@@ -338,6 +344,47 @@ std::string message_of(const Curve& a, const Curve& b, const RuleOptions& option
     return error.what();
   }
   return "nothing thrown";
+}
+
+// However the outline is run through, it is the same one; one that only shares most of it is not.
+TEST(Ruled, RefusesOneOutlineTwice) {
+  for (const char* name : {"letters_EF", "U_planar"}) {
+    const Curve curve = testing::cad_case(name)[0];
+    std::vector<Curve> same = {reverse(curve), insert_knot(elevate_degree(curve), 0.37)};
+    if (curve.is_closed()) {
+      for (const double seam : {0.11, 0.5, 0.73}) same.push_back(move_seam(curve, seam));
+    }
+    for (const Curve& other : same)
+      EXPECT_NE(message_of(curve, other).find("coincide"), std::string::npos) << name;
+    Points points = curve.control_points();
+    points[points.size() / 2][0] += 1e-3 * curve.extent();
+    const Curve near(curve.degree(), curve.knots(), points, curve.weights());
+    EXPECT_EQ(message_of(curve, near).find("coincide"), std::string::npos) << name;
+  }
+}
+
+// Between a curve and nearly itself, slopes far from the mean are wanted: the law cannot follow, and says so.
+TEST(Ruled, SaysThatALawIsNotAsAsked) {
+  // The second curve hurries through the first half of its way.
+  const Curve a = Curve::bezier({{0, 0}, {1, 0}, {2, 0}, {3, 0}});
+  const Curve b(1, {0, 0, 1e-4, 1, 1}, Points({{0, 1}, {1.5, 1}, {3, 1}}));
+  RuleOptions options;
+  options.law.min_slope = 0.5;
+  const RuledSurface slow = rule(a, b, options);
+  EXPECT_GT(slow.report.law.max_deviation, options.law.tolerance);
+  EXPECT_EQ(slow.report.law.outcome, LawOutcome::beyond_tolerance);
+  const RuledSurface free = rule(a, b, {.law = {.min_slope = 1e-6}});
+  EXPECT_LE(free.report.law.max_deviation, options.law.tolerance);
+  EXPECT_EQ(free.report.law.outcome, LawOutcome::as_asked);
+}
+
+TEST(Ruled, CanBeCancelledBetweenLaws) {
+  // Not while it is matched, but once that is done.
+  int after = 0;
+  RuleOptions options;
+  options.match.progress = [&](double fraction) { return fraction < 1.0 || ++after < 2; };
+  const std::vector<Curve> letters = testing::cad_case("letters_EF");
+  EXPECT_TRUE(rule(letters[0], letters[1], options).match.report.cancelled);
 }
 
 TEST(Ruled, SaysWhatIsWrongWithItsInput) {

@@ -236,6 +236,27 @@ TEST(Solid, IsAlwaysClosed) {
   }
 }
 
+TEST(Solid, SaysWhetherItsTrianglesCross) {
+  const Solid good = contours_to_solid(std::vector<std::vector<Curve>>{
+      {circle(0, 0, -1, 2)}, {circle(0, 0, 0, 2)}, {circle(-1.5, 0, 1, 1), circle(1.5, 0, 1, 1)}});
+  EXPECT_EQ(good.report.simple, Verdict::certified);
+  // A contour that branches right at a cap: along the chord it is cut at the solid has no thickness.
+  const Solid pinched = contours_to_solid(
+      std::vector<std::vector<Curve>>{{circle(0, 0, 0, 2)}, {circle(-1.5, 0, 1, 1), circle(1.5, 0, 1, 1)}});
+  EXPECT_EQ(pinched.report.simple, Verdict::violated);
+  // An E whose arms point the other way on the next level: half way they pass through each other.
+  const auto comb = [](double side, double z) {
+    std::vector<std::array<double, 2>> corners = {{0, 0}, {4, 0}, {4, 1}, {1, 1}, {1, 2}, {4, 2},
+                                                  {4, 3}, {1, 3}, {1, 4}, {4, 4}, {4, 5}, {0, 5}};
+    for (auto& c : corners) c[0] *= side;
+    return polygon(corners, z);
+  };
+  const Solid crossed = contours_to_solid(std::vector<std::vector<Curve>>{{comb(1.0, 0)}, {comb(-1.0, 1)}});
+  EXPECT_TRUE(is_watertight(crossed.mesh));
+  EXPECT_EQ(crossed.report.simple, Verdict::violated);
+  EXPECT_NE(crossed.report.crossing[0], crossed.report.crossing[1]);
+}
+
 std::string message(const std::vector<std::vector<Curve>>& levels) {
   try {
     static_cast<void>(contours_to_solid(levels));

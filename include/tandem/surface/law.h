@@ -33,6 +33,9 @@ enum class LawOutcome {
   finer,        ///< a smaller tolerance, to keep the surface valid
   lower_order,  ///< a lower order, to keep the surface valid: 2 creases it
   least_bad,    ///< no law keeps the surface valid: the one with the least invalid length
+  /// The order that was asked for, further from the path than the tolerance: the slopes allowed, or spans as
+  /// short as they may be, keep it from coming nearer. max_deviation tells.
+  beyond_tolerance,
 };
 
 /// How the law of a surface was made.

@@ -53,9 +53,10 @@ struct SkinReport {
   std::vector<SkinPair> pairs;
   bool valid = false;       ///< all pairs are
   double total_cost = 0.0;  ///< sum of the pairs' costs
-  /// The same after matching in sequence; `joint` does not end above it.
+  /// The same after matching in sequence; `joint` does not end above it, but for what makes it less invalid.
   double sequence_cost = 0.0;
-  int sweeps = 0;  ///< of joint matching that lowered the cost
+  int sweeps = 0;   ///< of joint matching that lowered the cost
+  int refined = 0;  ///< sections, counted again when found again, whose paths were looked for once more
   /// Largest angle between the normals on both sides of a line u = const on which no section has a corner, in
   /// radians; 0 if the surface is not in R^3.
   double crease_angle = 0.0;

@@ -1,11 +1,13 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <span>
 #include <vector>
 
 #include "tandem/curve/curve.h"
 #include "tandem/match/match.h"
+#include "tandem/surface/certificate.h"
 #include "tandem/surface/mesh.h"
 #include "tandem/tandem_export.h"
 
@@ -30,6 +32,10 @@ struct SolidReport {
   double volume = 0.0;
   /// Of all bands, the smallest share of the length on which the two contours' matched tangents agree.
   double valid_share = 1.0;
+  /// Whether no two triangles cross or touch, as find_simple() proves it. They touch where a contour branches
+  /// at the level of a cap: the solid has no thickness along the chord there.
+  Verdict simple = Verdict::undecided;
+  std::array<std::size_t, 2> crossing{};  ///< when violated: two that do, by index
 };
 
 struct Solid {
@@ -50,7 +56,7 @@ struct Solid {
 /// side ends in a flat cap.
 ///
 /// The mesh is closed and consistently oriented by construction: every contour is one polyline for all that
-/// meets there. That no two of its triangles cross is not checked.
+/// meets there. Whether two of its triangles cross is checked, not prevented: report.simple.
 /// @throws InvalidArgument fewer than two levels, one without contours, an open contour, one that is not in
 ///         R^3 or not in a plane, planes that are not parallel or not in order, a contour without area,
 ///         options out of
