@@ -42,6 +42,7 @@ constexpr double kAreaWeight = 1.0;
 constexpr double kLengthWeight = 1.0;
 constexpr double kTangentWeight = 0.6;
 constexpr double kTurnWeight = 2.0;  // of half a turn
+constexpr double kAsymmetryWeight = 3.0;
 // 1 - <T1, T2> of a contour that grows from a point, or shrinks to one: as of one that turns by 90 degrees.
 constexpr double kLoneTangent = 1.0;
 // Shapes whose tangents differ by less once they are turned are nearly one body, whose turn costs less.
@@ -188,7 +189,8 @@ void Judge::add_trouble(double s, Score& score) {
 }
 
 // Of the same, what needs no look for crossings.
-void Judge::add_measures(const Reference& keys, double s, Score& score) const {
+// progress: StepBlend::progress() of it.
+void Judge::add_measures(const Reference& keys, double progress, Score& score) const {
   Sums now;
   double broken = 0.0;
   for (std::size_t c = 0; c < points_.size(); ++c) {
@@ -200,13 +202,13 @@ void Judge::add_measures(const Reference& keys, double s, Score& score) const {
       if (more > kSeenBreak) broken += more;
     }
   }
-  const double length = now.length / ((1.0 - s) * keys.first.length + s * keys.last.length);
+  const double length = now.length / ((1.0 - progress) * keys.first.length + progress * keys.last.length);
   if (length < kLeastLength || length > kMostLength) ++score.faults;
-  const double wanted = (1.0 - s) * keys.first.area + s * keys.last.area;
+  const double wanted = (1.0 - progress) * keys.first.area + progress * keys.last.area;
   if (wanted > 0.0) {
     const double area = std::fabs(now.area) / wanted;
     // A body that grows evenly is smaller on the way than the blend of its areas, rightly.
-    const double side = (1.0 - s) * std::sqrt(keys.first.area) + s * std::sqrt(keys.last.area);
+    const double side = (1.0 - progress) * std::sqrt(keys.first.area) + progress * std::sqrt(keys.last.area);
     if (area < std::min(kLeastArea, kEven * side * side / wanted)) ++score.faults;
     score.blemish += kAreaWeight * std::fabs(area - 1.0) / kOrder.size();
   }
@@ -214,9 +216,9 @@ void Judge::add_measures(const Reference& keys, double s, Score& score) const {
   if (keys.joints > 0.0) score.blemish += kBreakWeight * broken / std::sqrt(keys.joints) / kOrder.size();
 }
 
-Score Judge::judge(const StepBlend& blend, const Score& limit) {
+Score Judge::judge(const StepBlend& blend, const Score& limit, double asymmetry) {
   const Reference keys(blend);
-  Score score{0, 0.0, 0.0};
+  Score score{0, 0.0, kAsymmetryWeight * asymmetry};
   const double difference = tangent_difference(keys.ends);
   score.blemish += kTangentWeight * difference;
   // What is nothing but a turned copy turns for free.
@@ -235,14 +237,14 @@ Score Judge::judge(const StepBlend& blend, const Score& limit) {
   if (measure_first) {
     for (const int part : kOrder) {
       sample(blend, part / kParts);
-      add_measures(keys, part / kParts, score);
+      add_measures(keys, blend.progress(part / kParts), score);
       if (is_beaten()) return score;
     }
   }
   for (const int part : kOrder) {
     sample(blend, part / kParts);
     add_trouble(part / kParts, score);
-    if (!measure_first) add_measures(keys, part / kParts, score);
+    if (!measure_first) add_measures(keys, blend.progress(part / kParts), score);
     if (is_beaten()) return score;
   }
   if (leaves_too_fast(blend)) score.faults += static_cast<int>(kOrder.size());
