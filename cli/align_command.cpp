@@ -68,11 +68,7 @@ Status run(const Command& command) {
   return kDone;
 }
 
-}  // namespace
-
-void add_align_command(CLI::App& program, Command& command) {
-  command.app =
-      program.add_subcommand("align", "Two or more shapes as path data that blends number by number");
+void add_flags(Command& command) {
   command.app->add_option("shapes", command.inputs, "A, B, ...: files, parts of files, or path data");
   command.app->add_option("-o,--output", command.output, ".json, .svg, -")->type_name("OUT");
   command.app->add_option("--to", command.to, "json, svg: whatever the ending of OUT")->type_name("FORMAT");
@@ -81,7 +77,11 @@ void add_align_command(CLI::App& program, Command& command) {
   add_common_flags(*command.app, command.common);
   add_match_flags(*command.app, command.match);
   add_pin_flag(*command.app, command.match);
-  command.run = run;
 }
+
+}  // namespace
+
+const Subcommand kAlignCommand = {"align", "Two or more shapes as path data that blends number by number",
+                                  add_flags, run};
 
 }  // namespace cli

@@ -66,15 +66,16 @@ Status run(const Command& command) {
   return kDone;
 }
 
-}  // namespace
-
-void add_blend_command(CLI::App& program, Command& command) {
-  command.app = program.add_subcommand("blend", "The Hermite surface between two rails with tangents across");
+void add_flags(Command& command) {
   command.app->add_option("curves", command.inputs,
                           "RAIL1 TANGENT1 RAIL2 TANGENT2: tangents are curves of vectors over the rails' "
                           "parameters, towards the second rail");
   add_rail_flags(command);
-  command.run = run;
 }
+
+}  // namespace
+
+const Subcommand kBlendCommand = {"blend", "The Hermite surface between two rails with tangents across",
+                                  add_flags, run};
 
 }  // namespace cli

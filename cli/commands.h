@@ -1,7 +1,6 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <functional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -48,21 +47,28 @@ struct Command {
   std::string css = "d";
   std::string name = "morph";
   bool no_cut = false;
-  std::function<Status(const Command&)> run;
 };
 
-/// Each adds its subcommand to `program` and fills `command`, which must stay where it is.
-void add_match_command(CLI::App& program, Command& command);
-void add_morph_command(CLI::App& program, Command& command);
-void add_align_command(CLI::App& program, Command& command);
-void add_info_command(CLI::App& program, Command& command);
-void add_convert_command(CLI::App& program, Command& command);
-void add_rule_command(CLI::App& program, Command& command);
-void add_blend_command(CLI::App& program, Command& command);
-void add_skin_command(CLI::App& program, Command& command);
-void add_loft_repair_command(CLI::App& program, Command& command);
-void add_rank_command(CLI::App& program, Command& command);
-void add_index_command(CLI::App& program, Command& command);
+/// What the program knows of a subcommand before it is asked for: its flags are added only then, since a
+/// program that sets up those of all commands starts markedly later.
+struct Subcommand {
+  const char* name;
+  const char* about;
+  void (*add_flags)(Command& command);
+  Status (*run)(const Command& command);
+};
+
+extern const Subcommand kMatchCommand;
+extern const Subcommand kMorphCommand;
+extern const Subcommand kAlignCommand;
+extern const Subcommand kInfoCommand;
+extern const Subcommand kConvertCommand;
+extern const Subcommand kRuleCommand;
+extern const Subcommand kBlendCommand;
+extern const Subcommand kSkinCommand;
+extern const Subcommand kLoftRepairCommand;
+extern const Subcommand kRankCommand;
+extern const Subcommand kIndexCommand;
 
 /// @throws UsageError standard input is named twice
 void check_standard_input(const Command& command);

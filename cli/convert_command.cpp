@@ -66,10 +66,7 @@ Status run(const Command& command) {
   return kDone;
 }
 
-}  // namespace
-
-void add_convert_command(CLI::App& program, Command& command) {
-  command.app = program.add_subcommand("convert", "The same curves, or the same surface, in another format");
+void add_flags(Command& command) {
   command.app->add_option("shape", command.inputs, "A file, a part of a file, or path data");
   command.app
       ->add_option(
@@ -80,7 +77,11 @@ void add_convert_command(CLI::App& program, Command& command) {
       ->type_name("FORMAT");
   add_surface_flags(*command.app, command.surface);
   add_common_flags(*command.app, command.common);
-  command.run = run;
 }
+
+}  // namespace
+
+const Subcommand kConvertCommand = {"convert", "The same curves, or the same surface, in another format",
+                                    add_flags, run};
 
 }  // namespace cli

@@ -43,10 +43,7 @@ Status run(const Command& command) {
   return kDone;
 }
 
-}  // namespace
-
-void add_index_command(CLI::App& program, Command& command) {
-  command.app = program.add_subcommand("index", "Shapes prepared once for rank");
+void add_flags(Command& command) {
   command.app->add_option("shapes", command.inputs,
                           "Directories, fonts, .jsonl files, shapes, and other indices");
   command.app->add_option("-o,--output", command.output, ".tdx, or - for standard output")->type_name("OUT");
@@ -54,7 +51,10 @@ void add_index_command(CLI::App& program, Command& command) {
   add_common_flags(*command.app, command.common);
   add_samples_flag(*command.app, command.rank);
   add_threads_flag(*command.app, command.rank);
-  command.run = run;
 }
+
+}  // namespace
+
+const Subcommand kIndexCommand = {"index", "Shapes prepared once for rank", add_flags, run};
 
 }  // namespace cli

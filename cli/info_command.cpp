@@ -154,14 +154,14 @@ Status run(const Command& command) {
   return kDone;
 }
 
-}  // namespace
-
-void add_info_command(CLI::App& program, Command& command) {
-  command.app =
-      program.add_subcommand("info", "What is in there: kind, degree, dimension, domain, length, contours");
+void add_flags(Command& command) {
   command.app->add_option("shape", command.inputs, "A file, a part of a file, or path data");
   add_common_flags(*command.app, command.common);
-  command.run = run;
 }
+
+}  // namespace
+
+const Subcommand kInfoCommand = {
+    "info", "What is in there: kind, degree, dimension, domain, length, contours", add_flags, run};
 
 }  // namespace cli

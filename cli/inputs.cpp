@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "commands.h"
+#include "drawings.h"
 #include "tandem/error.h"
 #include "tandem/io/load_surface.h"
 #include "usage_error.h"
@@ -39,18 +40,29 @@ std::variant<tandem::Shape, tandem::Surface> load_any_input(const Command& comma
   return loaded;
 }
 
-std::vector<tandem::Shape> load_inputs(const Command& command, std::size_t least, std::size_t most) {
+std::vector<tandem::Drawing> load_drawings(const Command& command, std::size_t least, std::size_t most) {
   const std::vector<std::string>& names = command.inputs;
   check_count(command, least, most);
   check_standard_input(command);
   const tandem::LoadOptions options = to_load_options(command.common);
-  std::vector<tandem::Shape> shapes;
-  shapes.reserve(names.size());
+  std::vector<tandem::Drawing> drawings;
+  drawings.reserve(names.size());
   for (const std::string& name : names) {
-    shapes.push_back(tandem::load_shape(name, options));
-    check_contours(shapes.back(), name);
+    drawings.push_back(tandem::load_drawing(name, options));
+    check_contours(drawings.back().shape, name);
   }
+  return drawings;
+}
+
+std::vector<tandem::Shape> shapes_of(const std::vector<tandem::Drawing>& drawings) {
+  std::vector<tandem::Shape> shapes;
+  shapes.reserve(drawings.size());
+  for (const tandem::Drawing& drawing : drawings) shapes.push_back(drawing.shape);
   return shapes;
+}
+
+std::vector<tandem::Shape> load_inputs(const Command& command, std::size_t least, std::size_t most) {
+  return shapes_of(load_drawings(command, least, most));
 }
 
 }  // namespace cli

@@ -59,11 +59,7 @@ Status run(const Command& command) {
   return kDone;
 }
 
-}  // namespace
-
-void add_loft_repair_command(CLI::App& program, Command& command) {
-  command.app = program.add_subcommand(
-      "loft-repair", "The section wires of a CAD file, in step: seams, directions, parameters");
+void add_flags(Command& command) {
   command.app->add_option("file", command.inputs,
                           "IN.step, .iges or .brep: sections in the order of the loft");
   command.app->add_option("-o,--output", command.output, ".step, .iges or .brep")->type_name("OUT");
@@ -72,7 +68,11 @@ void add_loft_repair_command(CLI::App& program, Command& command) {
   add_common_flags(*command.app, command.common);
   add_match_flags(*command.app, command.match);
   describe_skin_laws(*command.app);
-  command.run = run;
 }
+
+}  // namespace
+
+const Subcommand kLoftRepairCommand = {
+    "loft-repair", "The section wires of a CAD file, in step: seams, directions, parameters", add_flags, run};
 
 }  // namespace cli

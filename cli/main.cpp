@@ -26,6 +26,10 @@ namespace {
 constexpr std::array<std::string_view, 1> kLaterCommands = {"font"};
 constexpr std::array<std::string_view, 4> kLaterOptions = {"--mirror", "--linear", "--grid", "--axis"};
 
+constexpr std::array<const Subcommand*, 11> kCommands = {
+    &kMatchCommand, &kMorphCommand, &kInfoCommand, &kConvertCommand, &kRankCommand,      &kIndexCommand,
+    &kAlignCommand, &kSkinCommand,  &kRuleCommand, &kBlendCommand,   &kLoftRepairCommand};
+
 template <std::size_t N>
 bool contains(const std::array<std::string_view, N>& words, std::string_view word) {
   return std::find(words.begin(), words.end(), word) != words.end();
@@ -54,9 +58,9 @@ std::string with_suggestion(const std::string& text, std::string_view word,
     throw UsageError(with_suggestion("no option " + word, word, {"--help", "--version"}) +
                      "; options of a command stand behind it");
   }
-  throw UsageError(with_suggestion(
-      "no command " + word, word,
-      {"match", "morph", "align", "rule", "blend", "skin", "rank", "index", "info", "convert"}));
+  std::vector<std::string> names;
+  for (const Subcommand* each : kCommands) names.emplace_back(each->name);
+  throw UsageError(with_suggestion("no command " + word, word, names));
 }
 
 /// Our structs hold text, where empty means "not given"; an empty value that was given is a mistake.
@@ -81,28 +85,22 @@ void add_usage(CLI::App& program) {
 }
 
 int run(int argc, char** argv) {
-  // Scripts ask for the version before anything else: the commands need not be set up for that.
-  if (argc == 2 && std::string_view(argv[1]) == "--version") {
-    fmt::print("tandem {}\n", tandem::version());
-    return kDone;
-  }
   CLI::App program("Tandem puts freeform curves in step: correspondence, exact reparametrisation, morphs.",
                    "tandem");
   add_usage(program);
   program.allow_extras();
-  std::array<Command, 11> commands;
-  add_match_command(program, commands[0]);
-  add_morph_command(program, commands[1]);
-  add_info_command(program, commands[2]);
-  add_convert_command(program, commands[3]);
-  add_rank_command(program, commands[4]);
-  add_index_command(program, commands[5]);
-  add_align_command(program, commands[6]);
-  add_skin_command(program, commands[7]);
-  add_rule_command(program, commands[8]);
-  add_blend_command(program, commands[9]);
-  add_loft_repair_command(program, commands[10]);
-  for (Command& command : commands) command.app->allow_extras();
+  program.require_subcommand(0, 1);  // a file behind a command may have a command's name
+  Command command;
+  const Subcommand* asked = nullptr;
+  for (const Subcommand* each : kCommands) {
+    CLI::App* app = program.add_subcommand(each->name, each->about);
+    app->allow_extras();
+    app->preparse_callback([&command, &asked, each, app](std::size_t) {
+      asked = each;
+      command.app = app;
+      each->add_flags(command);
+    });
+  }
 
   try {
     program.parse(argc, argv);
@@ -110,13 +108,12 @@ int run(int argc, char** argv) {
     if (error.get_exit_code() == 0) return program.exit(error);  // --help and --version
     throw UsageError(error.what());
   }
-  for (const Command& command : commands) {
-    if (!command.app->parsed()) continue;
+  if (asked != nullptr) {
     const std::vector<std::string> unknown = command.app->remaining();
     if (!unknown.empty()) reject_option(*command.app, unknown.front());
     if (!program.remaining().empty()) reject_command(program.remaining().front());
     reject_empty_values(*command.app);
-    return command.run(command);
+    return asked->run(command);
   }
   if (!program.remaining().empty()) reject_command(program.remaining().front());
   fmt::print(stderr, "{}", program.help());

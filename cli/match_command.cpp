@@ -84,10 +84,7 @@ Status run(const Command& command) {
   return kDone;
 }
 
-}  // namespace
-
-void add_match_command(CLI::App& program, Command& command) {
-  command.app = program.add_subcommand("match", "The correspondence of two curves or shapes");
+void add_flags(Command& command) {
   command.app->add_option("shapes", command.inputs, "A and B: files, parts of files, or path data");
   command.app->add_option("-o,--output", command.output, ".json, .svg (picture), or - for standard output")
       ->type_name("OUT");
@@ -95,7 +92,10 @@ void add_match_command(CLI::App& program, Command& command) {
   add_common_flags(*command.app, command.common);
   add_match_flags(*command.app, command.match);
   add_pin_flag(*command.app, command.match);
-  command.run = run;
 }
+
+}  // namespace
+
+const Subcommand kMatchCommand = {"match", "The correspondence of two curves or shapes", add_flags, run};
 
 }  // namespace cli

@@ -4,7 +4,9 @@
 #include <vector>
 
 #include "commands.h"
+#include "drawings.h"
 #include "frames.h"
+#include "look_notes.h"
 #include "messages.h"
 #include "morph_output.h"
 #include "morph_run.h"
@@ -51,21 +53,25 @@ Status run(const Command& command) {
   const Plan plan = make_plan(command);
   const Messages messages(command.common.quiet);
   check_standard_input(command);
-  if (const auto motions = load_motions(command, plan.output.format)) {
+  if (const auto motions = load_motions(command, plan.output.format, messages)) {
     return morph_motions(command, *motions, plan.output, plan.morph, messages);
   }
   if (are_time_pins(command.match.pins)) (void)parse_pins(command.match.pins);  // says what is wrong
-  const std::vector<Shape> keys = load_inputs(command, 2, std::string::npos);
+  const std::vector<tandem::Drawing> drawings = load_drawings(command, 2, std::string::npos);
+  const std::vector<Shape> keys = shapes_of(drawings);
+  say_smooth(messages, plan.morph.smooth, keys.size());
+  const tandem::Look look = tandem::look_of(drawings);
   const int dim = keys.front().dim();
   if (dim != 2 && plan.output.format != Format::json) {
     throw tandem::InvalidArgument(fmt::format(
         "the shapes have dimension {}; only planar ones can be drawn, others go to .json or -", dim));
   }
-  const MorphRun made = run_morph(command, keys, plan.morph, messages, true);
+  const MorphRun made = run_morph(command, keys, plan.morph, messages, true, look.styles);
   if (made.status != kDone) return made.status;
   const std::string reports = format_reports(made);
   if (made.paths) {
-    write_morph(command, plan.output, *made.paths, reports);
+    if (plan.output.format != Format::json) say_look(messages, command, drawings, look, *made.paths);
+    write_morph(command, plan.output, *made.paths, look, reports);
   } else {
     write_output(command.output, format_curve_frames(*made.curves, plan.output.positions, reports));
   }
@@ -73,10 +79,7 @@ Status run(const Command& command) {
   return kDone;
 }
 
-}  // namespace
-
-void add_morph_command(CLI::App& program, Command& command) {
-  command.app = program.add_subcommand("morph", "The in-betweens of two or more curves or shapes");
+void add_flags(Command& command) {
   command.app->add_option("shapes", command.inputs, "A, B, ...: files, parts of files, or path data");
   add_morph_output_flags(command);
   command.app
@@ -87,7 +90,10 @@ void add_morph_command(CLI::App& program, Command& command) {
   add_pin_flag(*command.app, command.match);
   command.app->add_flag("--no-cut", command.no_cut,
                         "Cut no contour into pieces: what is too much grows from points");
-  command.run = run;
 }
+
+}  // namespace
+
+const Subcommand kMorphCommand = {"morph", "The in-betweens of two or more curves or shapes", add_flags, run};
 
 }  // namespace cli

@@ -157,24 +157,24 @@ MorphOutput plan_morph_output(const Command& command) {
 }
 
 void write_morph(const Command& command, const MorphOutput& plan, const tandem::PathMorph& paths,
-                 const std::string& reports) {
+                 const tandem::Look& look, const std::string& reports) {
   const auto content = [&]() -> std::string {
     switch (plan.format) {
       case Format::svg:
-        return plan.still ? format_frame_svg(paths, plan.positions.front(), plan.animation.precision)
-                          : format_animated_svg(paths, plan.animation);
+        return plan.still ? format_frame_svg(paths, plan.positions.front(), plan.animation.precision, look)
+                          : format_animated_svg(paths, plan.animation, look);
       case Format::html:
-        return format_html_player(paths, plan.title, plan.animation);
+        return format_html_player(paths, plan.title, plan.animation, look);
       case Format::css:
-        return format_css(paths, plan.animation, plan.css);
+        return format_css(paths, plan.animation, plan.css, look);
       case Format::lottie:
-        return format_lottie(paths, plan.title, plan.animation, plan.size);
+        return format_lottie(paths, plan.title, plan.animation, plan.size, look);
       case Format::animated_vector:
-        return format_animated_vector(paths, plan.animation);
+        return format_animated_vector(paths, plan.animation, look);
       case Format::gif:
-        return format_gif(paths, plan.animation, plan.frames, plan.size);
+        return format_gif(paths, plan.animation, plan.frames, plan.size, look);
       case Format::png:
-        return format_png(paths, plan.positions.front(), plan.size);
+        return format_png(paths, plan.positions.front(), plan.size, look);
       default:
         return format_path_frames(paths, plan.positions, reports, plan.animation.precision);
     }
@@ -183,8 +183,8 @@ void write_morph(const Command& command, const MorphOutput& plan, const tandem::
   write_frame_directory(command.output, plan.positions.size(), plan.png_frames ? ".png" : ".svg",
                         [&](std::size_t i) {
                           const double s = plan.positions[i];
-                          return plan.png_frames ? format_png(paths, s, plan.size)
-                                                 : format_frame_svg(paths, s, plan.animation.precision);
+                          return plan.png_frames ? format_png(paths, s, plan.size, look)
+                                                 : format_frame_svg(paths, s, plan.animation.precision, look);
                         });
 }
 

@@ -7,6 +7,7 @@
 #include "output.h"
 #include "tandem/io/animation.h"
 #include "tandem/io/css.h"
+#include "tandem/io/look.h"
 #include "tandem/morph/path_morph.h"
 
 namespace cli {
@@ -34,6 +35,6 @@ void add_morph_output_flags(Command& command);
 
 /// Planar in-betweens. reports: members of the JSON object, `"report": {...}`.
 void write_morph(const Command& command, const MorphOutput& plan, const tandem::PathMorph& paths,
-                 const std::string& reports);
+                 const tandem::Look& look, const std::string& reports);
 
 }  // namespace cli

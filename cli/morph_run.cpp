@@ -94,23 +94,30 @@ std::string contour_name(std::size_t contour, std::size_t key) {
                                : fmt::format("contour {} of shape {}", contour, key + 1);
 }
 
-/// A fill closes what is open; a morph draws it as a stroke.
-void say_open(const Messages& messages, std::span<const Shape> keys) {
+/// A fill closes what is open; a morph draws it as a stroke, or, where its file says how it is filled, fills
+/// it, but knows nothing of the side that closes it.
+void say_open(const Messages& messages, std::span<const Shape> keys, std::span<const tandem::Style> styles) {
   std::string open;
   std::size_t count = 0;
   bool any_closed = false;
+  bool any_filled = false;
   for (std::size_t k = 0; k < keys.size(); ++k) {
+    const bool filled = !styles.empty() && styles[k].fill.paints() && !styles[k].stroke.paints();
     for (std::size_t i = 0; i < keys[k].contours.size(); ++i) {
       const tandem::Curve& contour = keys[k].contours[i];
       any_closed = any_closed || contour.is_closed();
-      if (contour.is_closed() || ++count > kMostNamed) continue;
+      if (contour.is_closed()) continue;
+      any_filled = any_filled || filled;
+      if (++count > kMostNamed) continue;
       open += (open.empty() ? "" : ", ") + contour_name(i, k);
     }
   }
-  if (count == 0 || !any_closed) return;
+  // Of lines that are stroked nothing is amiss.
+  if (count == 0 || !(styles.empty() ? any_closed : any_filled)) return;
   if (count > kMostNamed) open += fmt::format(", and {} more", count - kMostNamed);
-  messages.note(
-      fmt::format("open, and drawn as strokes: {}; --closed yes closes them by straight lines", open));
+  const char* const how =
+      any_filled ? "open though filled, and matched as lines from end to end" : "open, and drawn as strokes";
+  messages.note(fmt::format("{}: {}; --closed yes closes them by straight lines", how, open));
 }
 
 /// Which closed contours became open ones.
@@ -143,7 +150,7 @@ bool judge_run(const Command& command, MorphRun& result, const Messages& message
 }  // namespace
 
 MorphRun run_morph(const Command& command, std::span<const Shape> keys, tandem::MorphOptions options,
-                   const Messages& messages, bool note_turn) {
+                   const Messages& messages, bool note_turn, std::span<const tandem::Style> styles) {
   options.match.progress = show_progress(messages.quiet());
   MorphRun result;
   {
@@ -163,7 +170,7 @@ MorphRun run_morph(const Command& command, std::span<const Shape> keys, tandem::
   }
   if (!judge_run(command, result, messages)) return result;
   if (result.paths && options.match.closed != tandem::ClosedMode::yes) {
-    say_open(messages, keys);
+    say_open(messages, keys, styles);
     say_cut_open(messages, *result.paths, keys);
   }
   for (const ShapeReport& report : result.reports) {
@@ -171,6 +178,13 @@ MorphRun run_morph(const Command& command, std::span<const Shape> keys, tandem::
     if (note_turn) say_turn(messages, report);
   }
   return result;
+}
+
+void say_smooth(const Messages& messages, bool smooth, std::size_t keys) {
+  if (!smooth || keys > 2) return;
+  messages.note(
+      "--smooth passes the shapes between the first and the last, and with two there are none: it does "
+      "nothing");
 }
 
 MorphRun run_motions(const Command& command, std::span<const tandem::Curve> motions,

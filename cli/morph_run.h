@@ -8,6 +8,7 @@
 #include "commands.h"
 #include "messages.h"
 #include "report.h"
+#include "tandem/io/style.h"
 #include "tandem/morph/morph.h"
 #include "tandem/morph/motion_morph.h"
 #include "tandem/morph/path_morph.h"
@@ -25,9 +26,13 @@ struct MorphRun {
 };
 
 /// Matches with a progress bar, and says what there is to say about the result. note_turn: a turn is seen on
-/// the way. @throws Interrupted
+/// the way. styles: of the keys, as far as their files say so (Look). @throws Interrupted
 [[nodiscard]] MorphRun run_morph(const Command& command, std::span<const tandem::Shape> keys,
-                                 tandem::MorphOptions options, const Messages& messages, bool note_turn);
+                                 tandem::MorphOptions options, const Messages& messages, bool note_turn,
+                                 std::span<const tandem::Style> styles = {});
+
+/// --smooth does nothing for two keys: says so.
+void say_smooth(const Messages& messages, bool smooth, std::size_t keys);
 
 /// The same of motions, curves over time. @throws Interrupted
 [[nodiscard]] MorphRun run_motions(const Command& command, std::span<const tandem::Curve> motions,

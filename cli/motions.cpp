@@ -10,6 +10,7 @@
 
 #include "frames.h"
 #include "morph_run.h"
+#include "motion_columns.h"
 #include "output.h"
 #include "pins.h"
 #include "report.h"
@@ -100,7 +101,8 @@ void write(const Command& command, const std::vector<CsvTable>& tables, const Mo
 
 }  // namespace
 
-std::optional<std::vector<CsvTable>> load_motions(const Command& command, Format format) {
+std::optional<std::vector<CsvTable>> load_motions(const Command& command, Format format,
+                                                  const Messages& messages) {
   const std::vector<std::string>& names = command.inputs;
   if (names.size() < 2 || !std::all_of(names.begin(), names.end(), is_csv_file)) {
     if (format == Format::csv) {
@@ -113,6 +115,7 @@ std::optional<std::vector<CsvTable>> load_motions(const Command& command, Format
     tables.push_back(tandem::parse_csv_table(tandem::read_file(name), name));
   }
   if (tables.front().curve.dim() == 2 && format != Format::csv) return std::nullopt;
+  pair_columns(tables, names, messages);
   return tables;
 }
 
@@ -129,10 +132,18 @@ Status morph_motions(const Command& command, const std::vector<CsvTable>& tables
     throw UsageError(fmt::format("--pin goes with two motions, not with {}", tables.size()));
   }
   own.times = options.times;
+  say_smooth(messages, options.smooth, tables.size());
   own.smooth = options.smooth;
   std::vector<Curve> motions;
   for (const CsvTable& table : tables) motions.push_back(table.curve);
-  const MorphRun made = run_motions(command, motions, own, messages);
+  const MorphRun made = [&] {
+    try {
+      return run_motions(command, motions, own, messages);
+    } catch (const tandem::InvalidArgument& error) {
+      // The library knows curves, not files.
+      throw tandem::InvalidArgument(fmt::format("{}: {}", fmt::join(command.inputs, ", "), error.what()));
+    }
+  }();
   if (made.status != kDone) return made.status;
   const std::string reports = format_reports(made);
   write(command, tables, output, *made.motions, reports);

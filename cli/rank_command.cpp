@@ -141,10 +141,7 @@ Status run(const Command& command) {
   return kDone;
 }
 
-}  // namespace
-
-void add_rank_command(CLI::App& program, Command& command) {
-  command.app = program.add_subcommand("rank", "Candidates by how well they match a query, best first");
+void add_flags(Command& command) {
   command.app->add_option("shapes", command.inputs,
                           "The query, then candidates: shapes, directories, fonts, .jsonl or .tdx files");
   command.app
@@ -155,7 +152,11 @@ void add_rank_command(CLI::App& program, Command& command) {
       ->type_name("FORMAT");
   add_common_flags(*command.app, command.common);
   add_rank_flags(*command.app, command.rank);
-  command.run = run;
 }
+
+}  // namespace
+
+const Subcommand kRankCommand = {"rank", "Candidates by how well they match a query, best first", add_flags,
+                                 run};
 
 }  // namespace cli

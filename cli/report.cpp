@@ -101,9 +101,15 @@ bool is_one_pair(const ShapeReport& report) {
 }
 
 std::string percent(double share) {
-  const std::string text = fmt::format("{:.4g}", 100.0 * share);
-  // Nearly all is not all.
-  return share < 1.0 && text == "100" ? "over 99.99 %" : text + " %";
+  return fmt::format("{:.4g} %", 100.0 * share);
+}
+
+/// How much of the length is valid, rounded down: nearly all is not all, and neither is all but a point.
+std::string valid_percent(double share, bool valid) {
+  constexpr double kPlaces = 100.0;
+  if (valid && share >= 1.0) return "100 %";
+  if (share > 1.0 - 1.0 / (100.0 * kPlaces)) return "over 99.99 %";
+  return fmt::format("{:.4g} %", std::floor(100.0 * share * kPlaces) / kPlaces);
 }
 
 /// A line that says how far B was turned back; nothing where it was not.
@@ -123,7 +129,8 @@ std::string format_contour_table(const Match& match) {
   std::string text;
   text += fmt::format("cost         {:.6g} (mean {:.4g} per {})\n", r.cost, r.mean_cost, unit);
   text += fmt::format("valid        {} (smallest <T1,T2> {:.4g}, > 0 on {} of the length)\n",
-                      r.validity.valid ? "yes" : "no", r.validity.min_dot, percent(r.validity.valid_share));
+                      r.validity.valid ? "yes" : "no", r.validity.min_dot,
+                      valid_percent(r.validity.valid_share, r.validity.valid));
   text += fmt::format("direction    {}\n", name(r.direction));
   if (match.correspondence.closed)
     text += fmt::format("shift        {} of {} {}\n", r.shift, r.samples[1], nodes);
@@ -214,12 +221,13 @@ std::string format_table(const ShapeReport& report) {
     const MatchReport& r = pair.match->report;
     text += fmt::format("{:>3} {:>3}  {:>10.5g}  {:>5}  {:>8.4f}  {:>9}  {:>9}  {:>6}  {:>9}\n", pair.a,
                         pair.b, r.cost, r.validity.valid ? "yes" : "no", r.validity.min_dot,
-                        percent(r.validity.valid_share), name(r.direction), r.shift,
+                        valid_percent(r.validity.valid_share, r.validity.valid), name(r.direction), r.shift,
                         fmt::format("{},{}", r.samples[0], r.samples[1]));
   }
   const Totals totals = add_up(report);
-  text += fmt::format("all      {:>10.5g}  {:>5}  {:>8.4f}  {:>9}\n", totals.cost,
-                      report.valid() ? "yes" : "no", totals.min_dot, percent(totals.valid_share));
+  text +=
+      fmt::format("all      {:>10.5g}  {:>5}  {:>8.4f}  {:>9}\n", totals.cost, report.valid() ? "yes" : "no",
+                  totals.min_dot, valid_percent(totals.valid_share, report.valid()));
   if (!report.pairs.empty()) text += format_turn(*report.pairs.front().match, "turn     ");
   for (const std::size_t i : report.unmatched_a) text += fmt::format("{:>3}   -  no partner\n", i);
   for (const std::size_t i : report.unmatched_b) text += fmt::format("  - {:>3}  no partner\n", i);
@@ -242,7 +250,7 @@ void warn(const Messages& messages, const ShapeReport& report) {
     messages.warning(fmt::format(
         "the match is not valid, only the least invalid one: valid on {} of the length, smallest <T1,T2> "
         "{:.4g}; in-betweens may fold where it is not",
-        percent(totals.valid_share), totals.min_dot));
+        valid_percent(totals.valid_share, report.valid()), totals.min_dot));
   }
   const auto lonely = [&](const std::vector<std::size_t>& contours, std::string_view of,
                           std::string_view what) {

@@ -108,10 +108,7 @@ Status run(const Command& command) {
   return kDone;
 }
 
-}  // namespace
-
-void add_rule_command(CLI::App& program, Command& command) {
-  command.app = program.add_subcommand("rule", "The ruled surface between two curves");
+void add_flags(Command& command) {
   command.app->add_option("curves", command.inputs, "A and B: files, parts of files, or path data");
   add_rail_flags(command);
   command.app->get_option("--norm")->description(
@@ -122,7 +119,10 @@ void add_rule_command(CLI::App& program, Command& command) {
       ->type_name("X");
   command.app->add_flag("--planar", command.rule.planar, "Refuse curves that do not lie in one plane");
   command.app->add_flag("--certify", command.rule.certify, "Prove that the surface is free of folds");
-  command.run = run;
 }
+
+}  // namespace
+
+const Subcommand kRuleCommand = {"rule", "The ruled surface between two curves", add_flags, run};
 
 }  // namespace cli

@@ -242,10 +242,7 @@ void add_skin_flags(CLI::App& app, SkinFlags& flags) {
       ->take_all();
 }
 
-}  // namespace
-
-void add_skin_command(CLI::App& program, Command& command) {
-  command.app = program.add_subcommand("skin", "The surface through curves, or the solid through contours");
+void add_flags(Command& command) {
   command.app->add_option("curves", command.inputs, "C1, C2, ...: files, parts of files, or path data");
   command.app->add_option("-o,--output", command.output, surface_endings())->type_name("OUT");
   command.app->add_option("--to", command.to, "json, obj, ...: whatever the ending of OUT")
@@ -255,7 +252,11 @@ void add_skin_command(CLI::App& program, Command& command) {
   add_common_flags(*command.app, command.common);
   add_match_flags(*command.app, command.match);
   describe_skin_laws(*command.app);
-  command.run = run;
 }
+
+}  // namespace
+
+const Subcommand kSkinCommand = {"skin", "The surface through curves, or the solid through contours",
+                                 add_flags, run};
 
 }  // namespace cli

@@ -6,10 +6,10 @@
 #include <cmath>
 
 #include "io/canvas.h"
-#include "io/ink.h"
+#include "io/layers.h"
 #include "io/number.h"
-#include "io/svg_parts.h"
 #include "io/timeline.h"
+#include "tandem/io/path_data.h"
 
 namespace tandem {
 inline namespace v0 {
@@ -23,7 +23,13 @@ struct Target {
   std::string name;
   std::string property;
   std::string type;
-  std::vector<std::string> values;  ///< [frame]
+  std::vector<std::string> values;  ///< [frame], or [key]
+  bool by_key = false;
+
+  [[nodiscard]] bool changes() const {
+    return std::any_of(values.begin(), values.end(),
+                       [&](const std::string& v) { return v != values.front(); });
+  }
 };
 
 std::string interpolator(const Easing& easing) {
@@ -38,11 +44,13 @@ std::string interpolator(const Easing& easing) {
 
 class VectorWriter {
  public:
-  VectorWriter(const KeyFrames& frames, const AnimationOptions& options)
-      : frames_(frames),
-        steps_(forward_timeline(frames, options)),
+  VectorWriter(const PathMorph& morph, const AnimationOptions& options, const Look& look)
+      : frames_(key_frames(morph, {.tolerance = options.tolerance, .bake_turn = false})),
+        steps_(forward_timeline(frames_, options)),
+        key_steps_(forward_timeline(keys_of(frames_), options)),
         options_(options),
-        view_(view_of(frames.box)),
+        view_(view_of(look, frames_.box)),
+        layers_(layers_of(morph, look, view_, ink_paint())),
         precision_(decimals_for(view_, options.precision)) {}
 
   [[nodiscard]] std::string document() const {
@@ -75,9 +83,9 @@ class VectorWriter {
   [[nodiscard]] std::vector<Target> all_targets() const {
     std::vector<Target> targets;
     if (!frames_.poses.empty()) {
-      Target x{"frame", "translateX", "floatType", {}};
-      Target y{"frame", "translateY", "floatType", {}};
-      Target turn{"frame", "rotation", "floatType", {}};
+      Target x{"frame", "translateX", "floatType", {}, false};
+      Target y{"frame", "translateY", "floatType", {}, false};
+      Target turn{"frame", "rotation", "floatType", {}, false};
       for (const FramePose& pose : frames_.poses) {
         const Vec2 p = placed(pose.center);
         x.values.push_back(format_number(p.x, precision_));
@@ -87,22 +95,73 @@ class VectorWriter {
       targets = {std::move(x), std::move(y), std::move(turn)};
     }
     const Vec2 corner = frames_.poses.empty() ? placed({0.0, 0.0}) : Vec2{};
-    Target filled{"filled", "pathData", "pathType", {}};
-    Target stroked{"stroked", "pathData", "pathType", {}};
-    for (const std::vector<CubicPath>& paths : frames_.paths) {
-      std::vector<CubicPath> drawn;
-      drawn.reserve(paths.size());
-      for (const CubicPath& path : paths) {
-        drawn.push_back(transform(path, Transform::translate(corner.x, corner.y)));
+    for (const Layer& layer : layers_) {
+      Target path{layer.name, "pathData", "pathType", {}, false};
+      for (const std::vector<CubicPath>& paths : frames_.paths) {
+        std::vector<CubicPath> drawn;
+        for (const std::size_t c : layer.contours) {
+          drawn.push_back(transform(paths[c], Transform::translate(corner.x, corner.y)));
+        }
+        path.values.push_back(format_path_data(drawn, part_of(layer, frames_.lines), precision_));
       }
-      PathDataParts parts = path_data_parts(drawn, frames_.lines, precision_);
-      filled.values.push_back(std::move(parts.filled));
-      stroked.values.push_back(std::move(parts.stroked));
-    }
-    for (Target* target : {&filled, &stroked}) {
-      if (!target->values.front().empty()) targets.push_back(std::move(*target));
+      targets.push_back(std::move(path));
+      for (Target& target : style_targets(layer)) {
+        if (target.changes()) targets.push_back(std::move(target));
+      }
     }
     return targets;
+  }
+
+  /// What is drawn as it is at the keys. Android draws lines of no width as thin as it can: they get an
+  /// opacity of 0.
+  [[nodiscard]] std::vector<Target> style_targets(const Layer& layer) const {
+    std::vector<Target> targets;
+    const auto add = [&](const char* property, const char* type, const auto& value) {
+      Target target{layer.name, property, type, {}, true};
+      for (const Style& key : layer.keys) target.values.push_back(value(key));
+      targets.push_back(std::move(target));
+    };
+    const auto number = [](double x, int precision) { return format_number(x, precision); };
+    if (layer.fills()) {
+      add("fillColor", "colorType", [](const Style& key) { return hex_of(key.fill); });
+      add("fillAlpha", "floatType", [&](const Style& key) { return number(key.fill.opacity, kDecimals); });
+    }
+    if (layer.strokes()) {
+      add("strokeColor", "colorType", [](const Style& key) { return hex_of(key.stroke); });
+      add("strokeAlpha", "floatType", [&](const Style& key) {
+        return number(key.stroke_width > 0.0 ? key.stroke.opacity : 0.0, kDecimals);
+      });
+      add("strokeWidth", "floatType",
+          [&](const Style& key) { return number(key.stroke_width, decimals_for(view_.size())); });
+    }
+    return targets;
+  }
+
+  static std::string hex_of(const Paint& paint) {
+    return color_text({Paint::Kind::color, rgb_of(paint), 1.0});
+  }
+
+  [[nodiscard]] std::string path_attributes(const Layer& layer) const {
+    std::string text;
+    for (const Target& target : style_targets(layer)) {
+      const bool opaque = target.property.find("Alpha") != std::string::npos && target.values.front() == "1";
+      if (!opaque || target.changes())
+        text += fmt::format(" android:{}=\"{}\"", target.property, target.values.front());
+    }
+    if (layer.fills() && frames_.fill_rule == FillRule::evenodd) text += " android:fillType=\"evenOdd\"";
+    if (!layer.strokes()) return text;
+    const Style& first = layer.keys.front();
+    if (first.line_cap != LineCap::butt) {
+      text +=
+          fmt::format(" android:strokeLineCap=\"{}\"", first.line_cap == LineCap::round ? "round" : "square");
+    }
+    if (first.line_join == LineJoin::miter) {
+      text += fmt::format(" android:strokeMiterLimit=\"{}\"", format_number(first.miter_limit, kDecimals));
+    } else {
+      text += fmt::format(" android:strokeLineJoin=\"{}\"",
+                          first.line_join == LineJoin::round ? "round" : "bevel");
+    }
+    return text;
   }
 
   /// The first frame.
@@ -110,18 +169,13 @@ class VectorWriter {
     std::string text;
     std::string group;
     for (const Target& target : targets) {
-      const std::string& value = target.values.front();
       if (target.name == "frame") {
-        group += fmt::format(" android:{}=\"{}\"", target.property, value);
-      } else if (target.name == "filled") {
-        text += fmt::format(
-            "<path android:name=\"filled\" android:fillColor=\"{}\"{} android:pathData=\"{}\"/>\n", kInk,
-            frames_.fill_rule == FillRule::evenodd ? " android:fillType=\"evenOdd\"" : "", value);
-      } else {
-        text += fmt::format(
-            "<path android:name=\"stroked\" android:strokeColor=\"{}\" android:strokeWidth=\"{}\" "
-            "android:strokeLineJoin=\"round\" android:pathData=\"{}\"/>\n",
-            kInk, format_number(stroke_width(view_), decimals_for(view_.size())), value);
+        group += fmt::format(" android:{}=\"{}\"", target.property, target.values.front());
+      } else if (target.property == "pathData") {
+        const auto layer = std::find_if(layers_.begin(), layers_.end(),
+                                        [&](const Layer& one) { return one.name == target.name; });
+        text += fmt::format("<path android:name=\"{}\"{} android:pathData=\"{}\"/>\n", target.name,
+                            path_attributes(*layer), target.values.front());
       }
     }
     if (group.empty()) return text;
@@ -133,14 +187,16 @@ class VectorWriter {
     std::string text = fmt::format("<target android:name=\"{}\">\n<aapt:attr name=\"android:animation\">\n{}",
                                    properties.front()->name, set ? "<set>\n" : "");
     for (const Target* target : properties) {
-      for (std::size_t i = 0; i + 1 < steps_.size(); ++i) text += animator(*target, i);
+      const std::vector<TimelineStep>& steps = target->by_key ? key_steps_ : steps_;
+      for (std::size_t i = 0; i + 1 < steps.size(); ++i) text += animator(*target, steps, i);
     }
     return text + (set ? "</set>\n" : "") + "</aapt:attr>\n</target>\n";
   }
 
-  [[nodiscard]] std::string animator(const Target& target, std::size_t step) const {
+  [[nodiscard]] std::string animator(const Target& target, const std::vector<TimelineStep>& steps,
+                                     std::size_t step) const {
     const auto milliseconds = [&](std::size_t i) {
-      return std::lround(1000.0 * options_.duration * steps_[i].time);
+      return std::lround(1000.0 * options_.duration * steps[i].time);
     };
     std::string text = fmt::format(
         "<objectAnimator android:propertyName=\"{}\" android:valueType=\"{}\" android:startOffset=\"{}\" "
@@ -151,22 +207,24 @@ class VectorWriter {
       text += fmt::format(" android:repeatCount=\"{}\" android:repeatMode=\"{}\"",
                           options_.repeat ? "infinite" : "1", options_.alternate ? "reverse" : "restart");
     }
-    return text + interpolator(steps_[step].easing);
+    return text + interpolator(steps[step].easing);
   }
 
-  const KeyFrames& frames_;
+  KeyFrames frames_;
   std::vector<TimelineStep> steps_;
+  std::vector<TimelineStep> key_steps_;
   const AnimationOptions& options_;
   View view_;
+  std::vector<Layer> layers_;
   int precision_;
 };
 
 }  // namespace
 
-std::string format_animated_vector(const PathMorph& morph, const AnimationOptions& options) {
+std::string format_animated_vector(const PathMorph& morph, const AnimationOptions& options,
+                                   const Look& look) {
   check_animation(options);
-  const KeyFrames frames = key_frames(morph, {.tolerance = options.tolerance, .bake_turn = false});
-  return VectorWriter(frames, options).document();
+  return VectorWriter(morph, options, look).document();
 }
 
 }  // namespace v0

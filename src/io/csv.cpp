@@ -109,13 +109,14 @@ class CsvReader {
       fail(first.front(), "a time column alone is no curve, expected a column of values too");
     const std::size_t rows = lines.size() - (header ? 1 : 0);
     if (rows < 2) {
-      fail_at(source_, text_, text_.size(), fmt::format("{} row of numbers, a curve needs at least 2", rows));
+      fail_at(source_, text_, text_.size(),
+              fmt::format("{} of numbers, a curve needs at least 2", rows == 0 ? "no row" : "1 row"));
     }
     for (std::size_t i = header ? 1 : 0; i < lines.size(); ++i) read_row(lines[i], timed);
     try {
       return {
           interpolate(times_, Points(static_cast<int>(columns_ - (timed ? 1 : 0)), std::move(coordinates_))),
-          names_of(header ? first : std::vector<std::string_view>{}, timed), rows};
+          names_of(header ? first : std::vector<std::string_view>{}, timed), rows, header};
     } catch (const InvalidArgument&) {
       fail(lines.front(), "the rows are too unevenly spaced in time, or too large, to be interpolated");
     }

@@ -5,11 +5,11 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <new>
+#include <utility>
 
-#include "io/ink.h"
-#include "io/raster.h"
-#include "io/svg_parts.h"
+#include "io/painter.h"
 #include "io/timeline.h"
 #include "tandem/error.h"
 #include "tandem/io/picture.h"
@@ -35,30 +35,70 @@ int append(GifFileType* file, const GifByteType* bytes, int count) {
   }
 }
 
+/// A frame as GIF holds it: colours, and which of them every pixel has.
+struct Indexed {
+  std::array<GifColorType, 256> colors{};
+  int width = 0;
+  int height = 0;
+  std::vector<GifPixelType> pixels;
+
+  [[nodiscard]] bool same_colors(const Indexed& other) const {
+    return std::equal(colors.begin(), colors.end(), other.colors.begin(),
+                      [](const GifColorType& a, const GifColorType& b) {
+                        return a.Red == b.Red && a.Green == b.Green && a.Blue == b.Blue;
+                      });
+  }
+  [[nodiscard]] std::array<GifByteType, 3> color_at(std::size_t i) const {
+    const GifColorType& color = colors[pixels[i]];
+    return {color.Red, color.Green, color.Blue};
+  }
+};
+
+/// One paint has a colour per coverage, so that smooth edges are exact; two have sixteen steps each.
+Indexed indexed(const Painting& painting) {
+  constexpr double kWhite = 255.0;
+  constexpr int kSteps = 16;
+  Indexed frame;
+  frame.width = painting.area.width;
+  frame.height = painting.area.height;
+  for (int c = 0; c < 256; ++c) {
+    const std::array<double, 4> pixel =
+        painting.two_paints() ? pixel_of(painting, c / kSteps / (kSteps - 1.0), c % kSteps / (kSteps - 1.0))
+                              : pixel_of(painting, c / kWhite, 0.0);
+    const auto on_white = [&](double x) {
+      return static_cast<GifByteType>(std::lround(kWhite * (pixel[3] * x + 1.0 - pixel[3])));
+    };
+    frame.colors[static_cast<std::size_t>(c)] = {on_white(pixel[0]), on_white(pixel[1]), on_white(pixel[2])};
+  }
+  frame.pixels = painting.area.coverage;
+  if (!painting.two_paints()) return frame;
+  const auto step = [](int coverage) { return (coverage * (kSteps - 1) + 127) / 255; };
+  for (std::size_t i = 0; i < frame.pixels.size(); ++i) {
+    frame.pixels[i] =
+        static_cast<GifPixelType>(kSteps * step(frame.pixels[i]) + step(painting.line.coverage[i]));
+  }
+  return frame;
+}
+
+struct MapDeleter {
+  void operator()(ColorMapObject* map) const { GifFreeMapObject(map); }
+};
+using ColorMap = std::unique_ptr<ColorMapObject, MapDeleter>;
+
 class GifWriter {
  public:
-  GifWriter(int width, int height) : width_(width) {
+  GifWriter(const Indexed& first) : width_(first.width), first_(first) {
     int error = 0;
     file_ = EGifOpen(&content_, append, &error);
     if (file_ == nullptr) throw IoError(fmt::format("gif: {}", GifErrorString(error)));
     EGifSetGifVersion(file_, true);
-    // A colour per coverage, from the ground to the ink, so that smooth edges are exact.
-    std::array<GifColorType, 256> colors{};
-    const auto mixed = [](int ink, int coverage) {
-      return static_cast<GifByteType>((255 * (255 - coverage) + ink * coverage + 127) / 255);
-    };
-    for (int c = 0; c < 256; ++c) {
-      colors[static_cast<std::size_t>(c)] = {mixed(kInkColor[0], c), mixed(kInkColor[1], c),
-                                             mixed(kInkColor[2], c)};
-    }
-    ColorMapObject* const map = GifMakeMapObject(256, colors.data());
-    if (map == nullptr) {
+    try {
+      const ColorMap map = map_of(first);
+      check(EGifPutScreenDesc(file_, first.width, first.height, 8, 0, map.get()));
+    } catch (...) {
       close();
-      throw std::bad_alloc();
+      throw;
     }
-    const int status = EGifPutScreenDesc(file_, width, height, 8, 0, map);
-    GifFreeMapObject(map);
-    check(status);
   }
   ~GifWriter() { close(); }
   GifWriter(const GifWriter&) = delete;
@@ -73,20 +113,21 @@ class GifWriter {
   }
 
   /// Writes the part of the picture that is not as in the frame before. delay: hundredths of a second.
-  void add(const Raster& raster, int delay) {
-    const Rect rect = before_.coverage.empty() ? Rect{0, 0, raster.width, raster.height} : changes(raster);
+  void add(Indexed frame, int delay) {
+    const Rect rect = before_.pixels.empty() ? Rect{0, 0, frame.width, frame.height} : changes(frame);
     const GraphicsControlBlock control{DISPOSE_DO_NOT, false, delay, NO_TRANSPARENT_COLOR};
     std::array<GifByteType, 4> bytes{};
     EGifGCBToExtension(&control, bytes.data());
     check(EGifPutExtension(file_, GRAPHICS_EXT_FUNC_CODE, 4, bytes.data()));
-    check(EGifPutImageDesc(file_, rect.left, rect.top, rect.width, rect.height, false, nullptr));
+    const ColorMap map = frame.same_colors(first_) ? nullptr : map_of(frame);
+    check(EGifPutImageDesc(file_, rect.left, rect.top, rect.width, rect.height, false, map.get()));
     std::vector<GifPixelType> line(static_cast<std::size_t>(rect.width));
     for (int y = rect.top; y < rect.top + rect.height; ++y) {
-      const auto row = raster.coverage.begin() + static_cast<std::ptrdiff_t>(y) * width_ + rect.left;
+      const auto row = frame.pixels.begin() + static_cast<std::ptrdiff_t>(y) * width_ + rect.left;
       std::copy_n(row, rect.width, line.begin());
       check(EGifPutLine(file_, line.data(), rect.width));
     }
-    before_ = raster;
+    before_ = std::move(frame);
   }
 
   [[nodiscard]] std::string take() {
@@ -102,13 +143,21 @@ class GifWriter {
     int height = 1;
   };
 
-  [[nodiscard]] Rect changes(const Raster& raster) const {
-    int left = raster.width, right = -1, top = raster.height, bottom = -1;
-    for (int y = 0; y < raster.height; ++y) {
-      for (int x = 0; x < raster.width; ++x) {
+  static ColorMap map_of(const Indexed& frame) {
+    ColorMap map(GifMakeMapObject(256, frame.colors.data()));
+    if (!map) throw std::bad_alloc();
+    return map;
+  }
+
+  [[nodiscard]] Rect changes(const Indexed& frame) const {
+    const bool same_colors = frame.same_colors(before_);
+    int left = frame.width, right = -1, top = frame.height, bottom = -1;
+    for (int y = 0; y < frame.height; ++y) {
+      for (int x = 0; x < frame.width; ++x) {
         const auto i =
             static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
-        if (raster.coverage[i] == before_.coverage[i]) continue;
+        if (same_colors ? frame.pixels[i] == before_.pixels[i] : frame.color_at(i) == before_.color_at(i))
+          continue;
         left = std::min(left, x);
         right = std::max(right, x);
         top = std::min(top, y);
@@ -131,7 +180,8 @@ class GifWriter {
   std::string content_;
   GifFileType* file_ = nullptr;
   int width_;
-  Raster before_;
+  Indexed first_;
+  Indexed before_;
 };
 
 int count_of(const AnimationOptions& options, int frame_count) {
@@ -164,22 +214,25 @@ std::vector<int> delays_of(const AnimationOptions& options, int count) {
 
 }  // namespace
 
-std::string format_gif(const PathMorph& morph, const AnimationOptions& options, int frame_count, int size) {
+std::string format_gif(const PathMorph& morph, const AnimationOptions& options, int frame_count, int size,
+                       const Look& look) {
   check_animation(options);
   const int count = count_of(options, frame_count);
   const std::vector<int> delays = delays_of(options, count);
-  const View view = view_of(morph.box());
-  const Canvas canvas = canvas_of(view, size);
-  const Rasterizer rasterizer(canvas, morph.fill_rule(), stroke_width(view));
+  const View view = view_of(look, morph.box());
+  const Painter painter(morph, look, view, canvas_of(view, size));
   const KeyFrames frames = key_frames(morph, {.tolerance = options.tolerance, .bake_turn = false});
   const std::vector<TimelineStep> steps = forward_timeline(frames, options);
   const auto draw = [&](int i) {
-    return rasterizer.draw(morph.at(played_at(frames, steps, i / (count - 1.0))));
+    const double s = played_at(frames, steps, i / (count - 1.0));
+    return indexed(painter.draw(s, morph.at(s)));
   };
 
-  GifWriter writer(canvas.width, canvas.height);
+  Indexed first = draw(0);
+  GifWriter writer(first);
   if (options.repeat) writer.repeat_for_ever();
-  for (int i = 0; i + 1 < count; ++i) writer.add(draw(i), delays[static_cast<std::size_t>(i)]);
+  writer.add(std::move(first), delays.front());
+  for (int i = 1; i + 1 < count; ++i) writer.add(draw(i), delays[static_cast<std::size_t>(i)]);
   writer.add(draw(count - 1), delays.back());
   if (options.alternate) {
     // The first frame is the next run's, unless there is none.

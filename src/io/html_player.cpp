@@ -5,8 +5,10 @@
 
 #include "io/html.h"
 #include "io/html_player_page.h"
+#include "io/layers.h"
 #include "io/number.h"
-#include "io/svg_parts.h"
+#include "io/page.h"
+#include "io/style_properties.h"
 #include "io/timeline.h"
 #include "tandem/io/svg.h"
 
@@ -55,8 +57,41 @@ std::string pose_data(const KeyFrames& frames, int precision) {
   return text + "]";
 }
 
-std::string morph_data(const KeyFrames& frames, const AnimationOptions& options) {
-  const View view = view_of(frames.box);
+/// "currentColor" is the page's ink, and so is what nothing was said about.
+std::string page_color(const Paint& paint) {
+  return paint.kind == Paint::Kind::automatic ? "currentColor" : color_text(paint);
+}
+
+// Per key [fill, its opacity, stroke, its opacity, width of lines].
+std::string layer_data(const Layer& layer, int precision) {
+  std::string text = fmt::format("{{\"contours\":[{}],\"keys\":[", fmt::join(layer.contours, ","));
+  for (const Style& key : layer.keys) {
+    text += fmt::format("{}[\"{}\",{},\"{}\",{},{}]", &key == &layer.keys.front() ? "" : ",",
+                        page_color(key.fill), format_number(key.fill.opacity), page_color(key.stroke),
+                        format_number(key.stroke.opacity), format_number(key.stroke_width, precision));
+  }
+  text += "],\"fixed\":{";
+  bool first = true;
+  for (const StyleProperty& property : style_properties({layer.keys.front()}, FillRule::nonzero, precision)) {
+    constexpr std::string_view kFixed = "stroke-linecap stroke-linejoin stroke-miterlimit";
+    if (kFixed.find(property.name) == std::string_view::npos || property.name == "stroke") continue;
+    text += fmt::format("{}\"{}\":\"{}\"", first ? "" : ",", property.name, property.values.front());
+    first = false;
+  }
+  return text + "}}";
+}
+
+std::string layers_data(const PathMorph& morph, const Look& look, const View& view) {
+  std::string text;
+  for (const Layer& layer : layers_of(morph, look, view, {Paint::Kind::current, {}, 1.0})) {
+    text += (text.empty() ? "" : ",\n") + layer_data(layer, decimals_for(view.size()));
+  }
+  return text;
+}
+
+std::string morph_data(const PathMorph& morph, const AnimationOptions& options, const Look& look) {
+  const KeyFrames frames = key_frames(morph, {.tolerance = options.tolerance, .bake_turn = false});
+  const View view = view_of(look, frames.box);
   const int precision = decimals_for(view, options.precision);
   const std::vector<Easing> easings = parse_easings(options.easing, frames.keys.size() - 1);
   std::string text = "{\"times\":[";
@@ -74,7 +109,8 @@ std::string morph_data(const KeyFrames& frames, const AnimationOptions& options)
     if (c > 0) text += ",\n";
     text += contour_data(frames, c, precision);
   }
-  text += ']';
+  text +=
+      fmt::format("],\n\"layers\":[{}],\"plain\":{}", layers_data(morph, look, view), look.styles.empty());
   if (!frames.poses.empty()) text += ",\n\"poses\":" + pose_data(frames, precision);
   return text + '}';
 }
@@ -82,12 +118,12 @@ std::string morph_data(const KeyFrames& frames, const AnimationOptions& options)
 }  // namespace
 
 std::string format_html_player(const PathMorph& morph, const std::string& title,
-                               const AnimationOptions& options) {
+                               const AnimationOptions& options, const Look& look) {
   check_animation(options);
-  const KeyFrames frames = key_frames(morph, {.tolerance = options.tolerance, .bake_turn = false});
-  std::string page = replace_all(kPlayerHead, "%TITLE%", escape_html(title));
-  page += "<script type=\"application/json\" id=\"morph\">\n" + morph_data(frames, options) + "\n</script>\n";
-  return page + kPlayerScript;
+  return format_page(
+      {title, kPlayerStyle,
+       replace_all(kPlayerBody, "%BAR%", play_bar("Position s between the shapes", kPlayerMore)),
+       morph_data(morph, options, look), play_script() + kPlayerScript});
 }
 
 }  // namespace v0

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <sstream>
 #include <string_view>
@@ -120,19 +122,21 @@ Shape shape_of(std::vector<Curve> curves, const FilePart& name) {
 }
 
 /// FILE.svg#ID, or FILE.svg#3 when no element has that id.
-Shape svg_shape(std::string_view text, const FilePart& name) {
-  if (!name.part) return merge(parse_svg(text, name.path));
+Drawing svg_drawing(std::string_view text, const FilePart& name) {
+  if (!name.part) return merge(read_svg(text, name.path));
   const std::optional<std::size_t> index = index_of(*name.part);
-  if (!index) return merge(parse_svg_part(text, *name.part, name.path));
-  const std::vector<SvgElement> elements = parse_svg(text, name.path);
+  if (!index) return merge(read_svg_part(text, *name.part, name.path));
+  SvgPicture picture = read_svg(text, name.path);
+  const std::vector<SvgElement>& elements = picture.elements;
   const bool is_id = std::any_of(elements.begin(), elements.end(),
                                  [&](const SvgElement& element) { return element.id == *name.part; });
-  if (is_id) return merge(parse_svg_part(text, *name.part, name.path));
+  if (is_id) return merge(read_svg_part(text, *name.part, name.path));
   if (*index >= elements.size()) {
     fail(name.path, fmt::format("there is no drawable #{}; it has {} (#0 to #{})", *index, elements.size(),
                                 elements.size() - 1));
   }
-  return elements[*index].shape;
+  const SvgElement wanted = elements[*index];
+  return {wanted.shape, wanted.style, picture.view_box, false};
 }
 
 /// Fonts have y up, everything else that is planar has y down.
@@ -143,9 +147,25 @@ Shape glyph_shape(const FilePart& name) {
   return shape;
 }
 
+/// Far from the origin numbers are too far apart to tell points from each other.
+std::string why_nothing(std::string_view path_data) {
+  constexpr double kWhole =
+      9007199254740992.0;  // 2^53: from here on not every whole number is one of double's
+  double largest = 0.0;
+  for (std::size_t i = 0; i < path_data.size();) {
+    const std::optional<ScannedNumber> number = scan_number(path_data.substr(i));
+    i += number ? number->length : 1;
+    if (number && std::isfinite(number->value)) largest = std::max(largest, std::fabs(number->value));
+  }
+  if (largest < kWhole) return "";
+  const double gap = std::nextafter(largest, std::numeric_limits<double>::infinity()) - largest;
+  return fmt::format(": at coordinates of {:g} numbers are {:g} apart, and its points fall together", largest,
+                     gap);
+}
+
 Shape path_data_shape(std::string_view text, const std::string& source, const LoadOptions& options) {
   Shape shape = to_shape(parse_path_data(without_bom(text), source), options.fill_rule);
-  if (shape.contours.empty()) fail(source, "draws nothing");
+  if (shape.contours.empty()) fail(source, "draws nothing" + why_nothing(text));
   return shape;
 }
 
@@ -166,10 +186,10 @@ Shape json_line_shape(std::string_view text, const FilePart& name) {
   fail(name.path, fmt::format("is {}, which has no parts; '#{}' names none", kind, *name.part));
 }
 
-Shape parse(std::string_view text, FileFormat format, const FilePart& name, const LoadOptions& options) {
+/// All that are no SVG.
+Shape parse_shape(std::string_view text, FileFormat format, const FilePart& name,
+                  const LoadOptions& options) {
   switch (format) {
-    case FileFormat::svg:
-      return svg_shape(text, name);
     case FileFormat::json:
       return shape_of(parse_json_curves(text, name.path), name);
     case FileFormat::itd:
@@ -189,6 +209,7 @@ Shape parse(std::string_view text, FileFormat format, const FilePart& name, cons
     case FileFormat::index:
       throw InvalidArgument(
           fmt::format("{}: is an index, which has no curves; only rank takes it", name.path));
+    case FileFormat::svg:
     case FileFormat::font:
     case FileFormat::unknown:
       break;
@@ -197,23 +218,32 @@ Shape parse(std::string_view text, FileFormat format, const FilePart& name, cons
   fail(name.path, "is of no known kind: expected SVG, JSON, ITD, CSV, path data or a font");
 }
 
+Drawing without_style(Shape shape) {
+  return {std::move(shape), {}, {}, false};
+}
+
+Drawing parse(std::string_view text, FileFormat format, const FilePart& name, const LoadOptions& options) {
+  if (format == FileFormat::svg) return svg_drawing(text, name);
+  return without_style(parse_shape(text, format, name, options));
+}
+
 /// JSON that says it is a surface is one, where a surface will do.
-std::variant<Shape, Surface> parse_any(std::string_view text, FileFormat format, const FilePart& name,
-                                       const LoadOptions& options) {
+std::variant<Drawing, Surface> parse_any(std::string_view text, FileFormat format, const FilePart& name,
+                                         const LoadOptions& options) {
   if (format == FileFormat::json && !name.part && is_json_surface(text)) {
     return parse_json_surface(text, name.path);
   }
   return parse(text, format, name, options);
 }
 
-std::variant<Shape, Surface> load_file(const FilePart& name, const LoadOptions& options) {
+std::variant<Drawing, Surface> load_file(const FilePart& name, const LoadOptions& options) {
   const FileFormat by_name = format_of_extension(name.path);
-  if (by_name == FileFormat::font) return glyph_shape(name);
+  if (by_name == FileFormat::font) return without_style(glyph_shape(name));
   if (by_name == FileFormat::cad) return parse({}, by_name, name, options);
   const std::string text = read_file(name.path);
   if (text.empty()) fail(name.path, "is empty");
   const FileFormat format = by_name == FileFormat::unknown ? format_of_content(text) : by_name;
-  if (format == FileFormat::font) return glyph_shape(name);
+  if (format == FileFormat::font) return without_style(glyph_shape(name));
   return parse_any(text, format, name, options);
 }
 
@@ -223,9 +253,7 @@ bool looks_like_a_file(const std::string& name) {
   return format_of_extension(path) != FileFormat::unknown;
 }
 
-}  // namespace
-
-std::variant<Shape, Surface> load_shape_or_surface(const std::string& name, const LoadOptions& options) {
+std::variant<Drawing, Surface> load_any(const std::string& name, const LoadOptions& options) {
   if (name == "-" || name.rfind("-#", 0) == 0) {
     const std::string text = read_file("-");
     FilePart input{"standard input", std::nullopt};
@@ -234,7 +262,7 @@ std::variant<Shape, Surface> load_shape_or_surface(const std::string& name, cons
   }
   if (const std::optional<FilePart> file = existing_file(name)) return load_file(*file, options);
   if (looks_like_a_file(name)) throw IoError(fmt::format("cannot read {}: there is no such file", name));
-  if (is_path_data(name)) return path_data_shape(name, "path data", options);
+  if (is_path_data(name)) return without_style(path_data_shape(name, "path data", options));
   if (name.find('/') != std::string::npos || name.find('#') != std::string::npos) {
     throw IoError(fmt::format("cannot read {}: there is no such file", name));
   }
@@ -242,10 +270,22 @@ std::variant<Shape, Surface> load_shape_or_surface(const std::string& name, cons
       fmt::format("'{}' is neither a file nor path data (M or m, and a number)", name.substr(0, 80)));
 }
 
-Shape load_shape(const std::string& name, const LoadOptions& options) {
-  std::variant<Shape, Surface> loaded = load_shape_or_surface(name, options);
-  if (Shape* shape = std::get_if<Shape>(&loaded)) return std::move(*shape);
+}  // namespace
+
+std::variant<Shape, Surface> load_shape_or_surface(const std::string& name, const LoadOptions& options) {
+  std::variant<Drawing, Surface> loaded = load_any(name, options);
+  if (Surface* surface = std::get_if<Surface>(&loaded)) return std::move(*surface);
+  return std::move(std::get<Drawing>(loaded).shape);
+}
+
+Drawing load_drawing(const std::string& name, const LoadOptions& options) {
+  std::variant<Drawing, Surface> loaded = load_any(name, options);
+  if (Drawing* drawing = std::get_if<Drawing>(&loaded)) return std::move(*drawing);
   fail(name == "-" ? "standard input" : name, "is a surface, expected curves");
+}
+
+Shape load_shape(const std::string& name, const LoadOptions& options) {
+  return load_drawing(name, options).shape;
 }
 
 Surface load_surface(const std::string& name) {

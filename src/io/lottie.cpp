@@ -7,9 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "io/canvas.h"
-#include "io/ink.h"
+#include "io/layers.h"
 #include "io/number.h"
-#include "io/svg_parts.h"
 #include "io/timeline.h"
 
 namespace tandem {
@@ -90,10 +89,12 @@ std::string vertices(const CubicPath& path, const std::vector<bool>& lines, int 
 
 class LottieWriter {
  public:
-  LottieWriter(const KeyFrames& frames, const AnimationOptions& options, int size)
-      : frames_(frames),
-        steps_(loop_timeline(frames, options)),
-        view_(view_of(frames.box)),
+  LottieWriter(const PathMorph& morph, const AnimationOptions& options, int size, const Look& look)
+      : frames_(key_frames(morph, {.tolerance = options.tolerance, .bake_turn = false})),
+        steps_(loop_timeline(frames_, options)),
+        key_steps_(loop_timeline(keys_of(frames_), options)),
+        view_(view_of(look, frames_.box)),
+        layers_(layers_of(morph, look, view_, ink_paint())),
         canvas_(canvas_of(view_, size)),
         // Players count whole frames.
         length_(std::max(1.0, std::round(loop_seconds(options) * kFramesPerSecond))),
@@ -134,35 +135,74 @@ class LottieWriter {
   }
 
   [[nodiscard]] std::string groups() const {
-    const std::string color = fmt::format("\"c\":{{\"a\":0,\"k\":[{},{},{},1]}},\"o\":{{\"a\":0,\"k\":100}}",
-                                          format_number(kInkColor[0] / 255.0, kDecimals),
-                                          format_number(kInkColor[1] / 255.0, kDecimals),
-                                          format_number(kInkColor[2] / 255.0, kDecimals));
-    const std::string fill = fmt::format("{{\"ty\":\"fl\",{},\"r\":{},\"bm\":0,\"nm\":\"Fill\"}}", color,
-                                         frames_.fill_rule == FillRule::evenodd ? 2 : 1);
-    const std::string stroke = fmt::format(
-        "{{\"ty\":\"st\",{},\"w\":{{\"a\":0,\"k\":{}}},\"lc\":1,\"lj\":2,\"bm\":0,\"nm\":\"Stroke\"}}", color,
-        format_number(stroke_width(view_) * canvas_.scale(), kTimeDecimals));
-    const std::string filled = group(true, "Filled", fill);
-    const std::string stroked = group(false, "Stroked", stroke);
+    std::string text;
     // What stands first is drawn on top.
-    return stroked + (filled.empty() || stroked.empty() ? "" : ",\n") + filled;
+    for (std::size_t i = layers_.size(); i-- > 0;) text += group(layers_[i]) + (i == 0 ? "" : ",\n");
+    return text;
   }
 
-  /// The closed or the open contours and how they are painted; empty when there are none.
-  [[nodiscard]] std::string group(bool closed, const char* name, const std::string& paint) const {
+  /// Contours and how they are painted.
+  [[nodiscard]] std::string group(const Layer& layer) const {
     std::string shapes;
-    const std::vector<CubicPath>& contours = frames_.paths.front();
-    for (std::size_t c = 0; c < contours.size(); ++c) {
-      if (contours[c].is_closed() != closed) continue;
+    for (const std::size_t c : layer.contours) {
       shapes += fmt::format("{{\"ty\":\"sh\",\"nm\":\"Contour {}\",\"ks\":{}}},\n", c + 1, path_text(c));
     }
-    if (shapes.empty()) return "";
+    if (layer.strokes()) shapes += stroke_text(layer) + ",\n";
+    if (layer.fills()) {
+      shapes += fmt::format("{{\"ty\":\"fl\",{},\"r\":{},\"bm\":0,\"nm\":\"Fill\"}},\n",
+                            paint_text(layer, &Style::fill), frames_.fill_rule == FillRule::evenodd ? 2 : 1);
+    }
+    std::string name = layer.name;
+    name.front() = static_cast<char>(name.front() - 'a' + 'A');
     return fmt::format(
-        "{{\"ty\":\"gr\",\"nm\":\"{}\",\"it\":[\n{}{},\n{{\"ty\":\"tr\",\"p\":{{\"a\":0,\"k\":[0,0]}},"
+        "{{\"ty\":\"gr\",\"nm\":\"{}\",\"it\":[\n{}{{\"ty\":\"tr\",\"p\":{{\"a\":0,\"k\":[0,0]}},"
         "\"a\":{{\"a\":0,\"k\":[0,0]}},\"s\":{{\"a\":0,\"k\":[100,100]}},\"r\":{{\"a\":0,\"k\":0}},"
         "\"o\":{{\"a\":0,\"k\":100}}}}]}}",
-        name, shapes, paint);
+        name, shapes);
+  }
+
+  /// {"a":0,"k":...} of what every key has, key frames of the rest. component: a number or a list of them.
+  template <class Component>
+  [[nodiscard]] std::string by_key(const Layer& layer, const Component& component) const {
+    std::vector<std::string> values;
+    bool one = true;
+    for (const Style& key : layer.keys) {
+      values.push_back(component(key));
+      one = one && values.back() == values.front();
+    }
+    if (one) return fmt::format("{{\"a\":0,\"k\":{}}}", values.front());
+    return animated(key_steps_, length_, true, [&](std::size_t key) {
+      return values[key].front() == '[' ? values[key] : '[' + values[key] + ']';
+    });
+  }
+
+  [[nodiscard]] std::string paint_text(const Layer& layer, Paint Style::*paint) const {
+    constexpr double kWhite = 255.0;
+    const std::string color = by_key(layer, [&](const Style& key) {
+      const std::array<double, 3> rgb = rgb_of(key.*paint);
+      return fmt::format("[{},{},{},1]", format_number(rgb[0] / kWhite, kDecimals),
+                         format_number(rgb[1] / kWhite, kDecimals),
+                         format_number(rgb[2] / kWhite, kDecimals));
+    });
+    const std::string opacity = by_key(
+        layer, [&](const Style& key) { return format_number(100.0 * (key.*paint).opacity, kTimeDecimals); });
+    return fmt::format("\"c\":{},\"o\":{}", color, opacity);
+  }
+
+  [[nodiscard]] std::string stroke_text(const Layer& layer) const {
+    const Style& first = layer.keys.front();
+    // Both count from 1: butt, round, square; miter, round, bevel.
+    std::string text =
+        fmt::format("{{\"ty\":\"st\",{},\"w\":{},\"lc\":{},\"lj\":{},", paint_text(layer, &Style::stroke),
+                    by_key(layer,
+                           [&](const Style& key) {
+                             return format_number(key.stroke_width * canvas_.scale(), kTimeDecimals);
+                           }),
+                    static_cast<int>(first.line_cap) + 1, static_cast<int>(first.line_join) + 1);
+    if (first.line_join == LineJoin::miter) {
+      text += fmt::format("\"ml\":{},", format_number(first.miter_limit, kTimeDecimals));
+    }
+    return text + "\"bm\":0,\"nm\":\"Stroke\"}";
   }
 
   [[nodiscard]] std::string path_text(std::size_t contour) const {
@@ -179,9 +219,11 @@ class LottieWriter {
     });
   }
 
-  const KeyFrames& frames_;
+  KeyFrames frames_;
   std::vector<TimelineStep> steps_;
+  std::vector<TimelineStep> key_steps_;
   View view_;
+  std::vector<Layer> layers_;
   Canvas canvas_;
   double length_;  // in frames
   int precision_;
@@ -190,10 +232,9 @@ class LottieWriter {
 }  // namespace
 
 std::string format_lottie(const PathMorph& morph, const std::string& title, const AnimationOptions& options,
-                          int size) {
+                          int size, const Look& look) {
   check_animation(options);
-  const KeyFrames frames = key_frames(morph, {.tolerance = options.tolerance, .bake_turn = false});
-  return LottieWriter(frames, options, size).document(title);
+  return LottieWriter(morph, options, size, look).document(title);
 }
 
 }  // namespace v0

@@ -10,6 +10,7 @@
 #include "io/html.h"
 #include "io/motion_page.h"
 #include "io/number.h"
+#include "io/page.h"
 #include "io/timeline.h"
 #include "tandem/error.h"
 
@@ -282,9 +283,9 @@ std::string format_motion_html(const MotionMorph& morph, const MotionPicture& pi
     plots += fmt::format("<svg class=\"plot\" viewBox=\"0 0 {} {}\">\n{}</svg>\n", kWidth, kHeight,
                          frame_of(picture.columns[c], picture.columns[0], ranges[0], ranges[c]));
   }
-  std::string page = replace_all(kMotionHead, "%TITLE%", escape_html(picture.title));
-  page = replace_all(page, "%PLOTS%", plots);
-  return page + "<script type=\"application/json\" id=\"motion\">\n" + data + "\n</script>\n" + kMotionScript;
+  const std::string body =
+      "<div class=\"plots\">\n" + plots + "</div>\n" + play_bar("Position s between the motions");
+  return format_page({picture.title, kMotionStyle, body, data, play_script() + kMotionScript});
 }
 
 }  // namespace v0

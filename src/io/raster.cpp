@@ -77,6 +77,19 @@ bool is_point(const CubicPath& path, const Canvas& canvas) {
   });
 }
 
+// FreeType's fixed numbers are 16.16.
+constexpr double kFixedOne = 65'536.0;
+constexpr double kLargestLimit = 1000.0;
+
+/// A dot as a line that is one unit of FreeType's long: of no length it would draw nothing.
+CubicPath short_line(const CubicPath& point, const Canvas& canvas) {
+  const auto p = point.control_points().front();
+  const double length = 1.0 / (kUnits * canvas.scale());
+  Points points;
+  for (int i = 0; i < 4; ++i) points.push_back(Point{p[0] + length * i / 3.0 - 0.5 * length, p[1]});
+  return CubicPath(std::move(points), false);
+}
+
 // Of lines that are stroked together: their borders have several times as many.
 constexpr std::size_t kStrokedPoints = 4096;
 
@@ -95,9 +108,6 @@ struct Rasterizer::Impl {
       FT_Done_FreeType(library);
       throw InvalidArgument("picture: FreeType cannot start a stroker");
     }
-    const auto radius = static_cast<FT_Fixed>(std::lround(0.5 * line_width * canvas.scale() * kUnits));
-    FT_Stroker_Set(stroker, std::max<FT_Fixed>(radius, 1), FT_STROKER_LINECAP_BUTT, FT_STROKER_LINEJOIN_ROUND,
-                   0);
   }
   ~Impl() {
     FT_Stroker_Done(stroker);
@@ -120,11 +130,24 @@ struct Rasterizer::Impl {
     return raster;
   }
 
+  void take(const Pen& pen) const {
+    const auto radius = static_cast<FT_Fixed>(std::lround(0.5 * pen.width * canvas.scale() * kUnits));
+    const FT_Stroker_LineCap cap = pen.cap == LineCap::round    ? FT_STROKER_LINECAP_ROUND
+                                   : pen.cap == LineCap::square ? FT_STROKER_LINECAP_SQUARE
+                                                                : FT_STROKER_LINECAP_BUTT;
+    // As SVG has it, a join beyond the limit is a bevel.
+    const FT_Stroker_LineJoin join = pen.join == LineJoin::round   ? FT_STROKER_LINEJOIN_ROUND
+                                     : pen.join == LineJoin::bevel ? FT_STROKER_LINEJOIN_BEVEL
+                                                                   : FT_STROKER_LINEJOIN_MITER_FIXED;
+    FT_Stroker_Set(stroker, std::max<FT_Fixed>(radius, 1), cap, join,
+                   static_cast<FT_Fixed>(std::lround(std::min(pen.miter_limit, kLargestLimit) * kFixedOne)));
+  }
+
   /// Lines as one stroked path: where they overlap, they cover as much as one.
-  [[nodiscard]] Raster stroke(std::span<const CubicPath* const> paths) const {
+  [[nodiscard]] Raster stroke(std::span<const CubicPath* const> paths, bool closed) const {
     OutlineData data = outline_of(paths, canvas);
     FT_Outline line = data.outline(FT_OUTLINE_NONE);
-    check(FT_Stroker_ParseOutline(stroker, &line, 1), "stroke the outline");
+    check(FT_Stroker_ParseOutline(stroker, &line, closed ? 0 : 1), "stroke the outline");
     FT_UInt points = 0;
     FT_UInt contours = 0;
     check(FT_Stroker_GetCounts(stroker, &points, &contours), "stroke the outline");
@@ -150,36 +173,62 @@ Rasterizer::Rasterizer(Rasterizer&&) noexcept = default;
 Rasterizer& Rasterizer::operator=(Rasterizer&&) noexcept = default;
 Rasterizer::~Rasterizer() = default;
 
-Raster Rasterizer::draw(std::span<const CubicPath> paths) const {
-  std::vector<const CubicPath*> closed;
-  for (const CubicPath& path : paths) {
-    if (path.is_closed()) closed.push_back(&path);
+void lay_over(Raster& under, const Raster& over) {
+  for (std::size_t i = 0; i < over.coverage.size(); ++i) {
+    const int below = under.coverage[i];
+    const int above = over.coverage[i];
+    under.coverage[i] = static_cast<std::uint8_t>(below + above - (below * above + 127) / 255);
   }
-  OutlineData data = outline_of(closed, impl_->canvas);
+}
+
+Raster Rasterizer::draw(std::span<const CubicPath> paths) const {
+  std::vector<CubicPath> closed;
+  std::vector<CubicPath> open;
+  for (const CubicPath& path : paths) (path.is_closed() ? closed : open).push_back(path);
+  Raster raster = fill(closed);
+  // Butt caps: a line that has shrunk to a point draws nothing.
+  if (!open.empty()) lay_over(raster, stroke(open, {impl_->line_width, LineCap::butt, LineJoin::round}));
+  return raster;
+}
+
+Raster Rasterizer::fill(std::span<const CubicPath> paths) const {
+  std::vector<const CubicPath*> all;
+  for (const CubicPath& path : paths) all.push_back(&path);
+  OutlineData data = outline_of(all, impl_->canvas);
   FT_Outline filled =
       data.outline(impl_->fill_rule == FillRule::evenodd ? FT_OUTLINE_EVEN_ODD_FILL : FT_OUTLINE_NONE);
-  Raster raster = impl_->render(filled);
-  std::vector<const CubicPath*> lines;
-  std::size_t points = 0;
-  const auto draw_lines = [&] {
-    if (lines.empty()) return;
-    const Raster drawn = impl_->stroke(lines);
-    for (std::size_t i = 0; i < drawn.coverage.size(); ++i) {
-      const int under = raster.coverage[i];
-      const int over = drawn.coverage[i];
-      raster.coverage[i] = static_cast<std::uint8_t>(under + over - (under * over + 127) / 255);
+  return impl_->render(filled);
+}
+
+Raster Rasterizer::stroke(std::span<const CubicPath> paths, const Pen& pen) const {
+  const Canvas& canvas = impl_->canvas;
+  Raster raster{canvas.width, canvas.height, {}};
+  raster.coverage.resize(static_cast<std::size_t>(canvas.width) * static_cast<std::size_t>(canvas.height));
+  if (pen.width <= 0.0) return raster;
+  impl_->take(pen);
+  for (const bool closed : {false, true}) {
+    std::vector<CubicPath> dots;
+    dots.reserve(paths.size());  // they are pointed to
+    std::vector<const CubicPath*> lines;
+    std::size_t points = 0;
+    const auto draw_lines = [&] {
+      if (!lines.empty()) lay_over(raster, impl_->stroke(lines, closed));
+      lines.clear();
+      points = 0;
+    };
+    for (const CubicPath& path : paths) {
+      if (path.is_closed() != closed) continue;
+      const CubicPath* line = &path;
+      if (is_point(path, canvas)) {
+        if (closed || pen.cap == LineCap::butt) continue;
+        line = &dots.emplace_back(short_line(path, canvas));
+      }
+      if (points + line->control_points().size() > kStrokedPoints) draw_lines();
+      lines.push_back(line);
+      points += line->control_points().size();
     }
-    lines.clear();
-    points = 0;
-  };
-  for (const CubicPath& path : paths) {
-    // Butt caps: a line that has shrunk to a point draws nothing.
-    if (path.is_closed() || is_point(path, impl_->canvas)) continue;
-    if (points + path.control_points().size() > kStrokedPoints) draw_lines();
-    lines.push_back(&path);
-    points += path.control_points().size();
+    draw_lines();
   }
-  draw_lines();
   return raster;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "io/canvas.h"
+#include "tandem/io/style.h"
 #include "tandem/shape/cubic_path.h"
 #include "tandem/shape/shape.h"
 
@@ -19,6 +20,17 @@ struct Raster {
   std::vector<std::uint8_t> coverage;
 };
 
+/// How lines are drawn. width: in the units of the view.
+struct Pen {
+  double width = 1.0;
+  LineCap cap = LineCap::butt;
+  LineJoin join = LineJoin::round;
+  double miter_limit = 4.0;
+};
+
+/// One picture laid over another: `under` covers at least as much then.
+void lay_over(Raster& under, const Raster& over);
+
 /// Draws paths with FreeType's smooth rasteriser, which computes the area covered of each pixel.
 class Rasterizer {
  public:
@@ -31,6 +43,11 @@ class Rasterizer {
   /// Closed paths together filled by the rule, open ones stroked (butt caps, round joins); planar.
   /// @throws InvalidArgument more than 32,767 control points, more than FreeType takes
   [[nodiscard]] Raster draw(std::span<const CubicPath> paths) const;
+  /// The inside of all paths together, open ones closed by lines. @throws as draw()
+  [[nodiscard]] Raster fill(std::span<const CubicPath> paths) const;
+  /// The lines of all paths, open or closed. Open paths that are points draw dots with caps that are not
+  /// butt, closed ones nothing. @throws as draw()
+  [[nodiscard]] Raster stroke(std::span<const CubicPath> paths, const Pen& pen) const;
 
  private:
   struct Impl;

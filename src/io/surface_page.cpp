@@ -12,7 +12,9 @@
 #include "io/faces.h"
 #include "io/html.h"
 #include "io/little_endian.h"
+#include "io/page.h"
 #include "io/scene_ball.h"
+#include "io/surface_page_moves.h"
 #include "io/surface_page_text.h"
 
 namespace tandem {
@@ -93,9 +95,8 @@ std::string scene_data(const Scene& scene) {
 
 std::string format_scene_page(const Scene& scene, const std::string& title) {
   detail::check_scene(scene);
-  std::string page = replace_all(kSurfaceHead, "%TITLE%", escape_html(title));
-  page += "<script type=\"application/json\" id=\"scene\">\n" + scene_data(scene) + "\n</script>\n";
-  return page + kSurfaceScript;
+  return format_page(
+      {title, kSurfaceStyle, kSurfaceBody, scene_data(scene), std::string(kSurfaceScript) + kSurfaceMoves});
 }
 
 }  // namespace v0

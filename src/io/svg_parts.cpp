@@ -29,14 +29,6 @@ View view_of(const Box& box) {
   return {box.lo[0] - margin, box.lo[1] - margin, width + 2.0 * margin, height + 2.0 * margin};
 }
 
-View view_at(const PathMorph& morph, double s, std::span<const CubicPath> paths) {
-  Box box = morph.box();
-  if (s < 0.0 || s > 1.0) {
-    for (const CubicPath& path : paths) box.include(bounding_box(to_curve(path)));
-  }
-  return view_of(box);
-}
-
 int decimals_for(double size) {
   const double decimals = std::ceil(-std::log10(size * kRelativeUnit));
   if (!(decimals <= kMostDecimals)) return -1;

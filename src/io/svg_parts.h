@@ -26,9 +26,6 @@ struct View {
 /// The box with a small margin all round, never empty.
 [[nodiscard]] View view_of(const Box& box);
 
-/// What a still picture of the morph at s shows: the same for all s in [0,1], beyond grown to hold `paths`.
-[[nodiscard]] View view_at(const PathMorph& morph, double s, std::span<const CubicPath> paths);
-
 /// Decimals that keep rounding below 1e-5 of `size`; -1 (shortest exact text) where that is no sensible
 /// number.
 [[nodiscard]] int decimals_for(double size);

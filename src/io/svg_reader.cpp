@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -43,18 +44,18 @@ class SvgReader {
   SvgReader(const SvgDocument& document, std::optional<std::string_view> wanted)
       : document_(document), sheet_(document), wanted_(wanted) {}
 
-  std::vector<SvgElement> read() {
+  SvgPicture read() {
     draw(document_.root(), {}, 0);
     if (wanted_ && drawn_.empty()) draw_by_itself();
     // Icon sets put an unpainted square behind their icons to give them a size. It is no part of the drawing,
     // unless there is nothing else.
     const auto painted = [](const Drawn& drawn) { return drawn.painted; };
     const bool any = std::any_of(drawn_.begin(), drawn_.end(), painted);
-    std::vector<SvgElement> elements;
+    SvgPicture picture{{}, shown_};
     for (Drawn& drawn : drawn_) {
-      if (drawn.painted || !any) elements.push_back(std::move(drawn.element));
+      if (drawn.painted || !any) picture.elements.push_back(std::move(drawn.element));
     }
-    return elements;
+    return picture;
   }
 
  private:
@@ -69,7 +70,7 @@ class SvgReader {
     if (!node) document_.fail(fmt::format("there is no element with the id \"{}\"", *wanted_));
     Context context;
     enter_viewport(document_.root(), context, true, {});
-    context.style.inherit(sheet_.cascade(document_.root(), "svg"));
+    context.style.inherit(sheet_.cascade(document_.root(), "svg"), document_);
     used_.push_back(node);
     if (document_.name(node) == "symbol") {
       draw_symbol(node, context, 0, {});
@@ -91,7 +92,7 @@ class SvgReader {
     }
     const Declarations declarations = sheet_.cascade(node, name);
     if (is(declarations, SvgProperty::display, "none")) return;
-    context.style.inherit(declarations);
+    context.style.inherit(declarations, document_);
     context.transform = context.transform * own_transform(node, declarations);
     const bool wanted = wanted_ && *wanted_ == node.attribute("id").value();
     inside_wanted_ += wanted ? 1 : 0;
@@ -134,12 +135,24 @@ class SvgReader {
 
   void draw_shape(const pugi::xml_node& node, std::string_view name, const Context& context) {
     if (!context.style.visible || (wanted_ && inside_wanted_ == 0)) return;
-    const bool fill = context.style.fill && name != "line";
+    const Style style = context.style.resolved(line_width(context));
+    const bool fill = context.style.style.fill.paints() && name != "line";
     const std::vector<CubicPath> paths =
         read_svg_shape(document_, node, name, fill, context.transform, context.viewport);
     if (paths.empty()) return;
-    const bool painted = context.style.fill || context.style.stroke || name == "line";
-    drawn_.push_back({{node.attribute("id").value(), to_shape(paths, context.style.fill_rule)}, painted});
+    SvgElement element{node.attribute("id").value(), to_shape(paths, context.style.fill_rule), {}};
+    // A line has no inside.
+    if (style.stroke.paints() || (fill && style.fill.paints())) element.style = style;
+    const bool painted = element.style || name == "line";
+    drawn_.push_back({std::move(element), painted});
+  }
+
+  /// In the units of the drawing; a transform that is no similarity widens lines by the root of what it does
+  /// to areas.
+  static double line_width(const Context& context) {
+    const Transform& map = context.transform;
+    const double scale = std::sqrt(std::fabs(map.a * map.d - map.b * map.c));
+    return scale * length_in(context.style.stroke_width, SvgAxis::diagonal, context.viewport).value_or(0.0);
   }
 
   void draw_use(const pugi::xml_node& node, Context context, int depth) {
@@ -171,7 +184,7 @@ class SvgReader {
   void draw_symbol(const pugi::xml_node& symbol, Context context, int depth, const pugi::xml_node& use) {
     const Declarations declarations = sheet_.cascade(symbol, document_.name(symbol));
     if (is(declarations, SvgProperty::display, "none")) return;
-    context.style.inherit(declarations);
+    context.style.inherit(declarations, document_);
     context.transform = context.transform * own_transform(symbol, declarations);
     const bool wanted = wanted_ && *wanted_ == symbol.attribute("id").value();
     inside_wanted_ += wanted ? 1 : 0;
@@ -189,6 +202,7 @@ class SvgReader {
       context.viewport = {read_size(node, "width", SvgAxis::x, {}),
                           read_size(node, "height", SvgAxis::y, {})};
       if (box) context.viewport = {box->width, box->height};
+      show(box, context.viewport);
       return true;
     }
     const SvgViewport outer = context.viewport;
@@ -214,6 +228,13 @@ class SvgReader {
       document_.fail(node, "preserveAspectRatio", error);
     }
     return true;
+  }
+
+  /// The view box of what is drawn: as it is written, or the size that the picture has.
+  void show(const std::optional<ViewBox>& box, const SvgViewport& size) {
+    std::optional<ViewBox> shown = box;
+    if (!shown && size.width && size.height) shown = ViewBox{0.0, 0.0, *size.width, *size.height};
+    if (shown && shown->width > 0.0 && shown->height > 0.0) shown_ = shown;
   }
 
   /// A percentage of an unknown size is unknown.
@@ -269,6 +290,7 @@ class SvgReader {
   std::optional<std::string_view> wanted_;
   int inside_wanted_ = 0;
   std::vector<Drawn> drawn_;
+  std::optional<ViewBox> shown_;
   std::vector<pugi::xml_node> used_;  ///< what the <use> elements around the current one refer to
   std::size_t used_elements_ = 0;
   std::size_t used_data_ = 0;
@@ -276,34 +298,27 @@ class SvgReader {
 
 }  // namespace
 
-Shape merge(const std::vector<SvgElement>& elements) {
-  Shape result;
-  bool several = false;
-  bool all_evenodd = true;
-  for (const SvgElement& element : elements) {
-    const Shape& shape = element.shape;
-    result.contours.insert(result.contours.end(), shape.contours.begin(), shape.contours.end());
-    if (shape.contours.size() < 2) continue;
-    several = true;
-    all_evenodd = all_evenodd && shape.fill_rule == FillRule::evenodd;
+SvgPicture read_svg(std::string_view text, const std::string& source) {
+  const SvgDocument document(text, source);
+  SvgPicture picture = SvgReader(document, std::nullopt).read();
+  if (picture.elements.empty()) {
+    document.fail("there is nothing drawable in it; of a set of symbols, name one: FILE.svg#ID");
   }
-  if (several && all_evenodd) result.fill_rule = FillRule::evenodd;
-  return result;
+  return picture;
+}
+
+SvgPicture read_svg_part(std::string_view text, const std::string& id, const std::string& source) {
+  const SvgDocument document(text, source);
+  return SvgReader(document, id).read();
 }
 
 std::vector<SvgElement> parse_svg(std::string_view text, const std::string& source) {
-  const SvgDocument document(text, source);
-  std::vector<SvgElement> elements = SvgReader(document, std::nullopt).read();
-  if (elements.empty()) {
-    document.fail("there is nothing drawable in it; of a set of symbols, name one: FILE.svg#ID");
-  }
-  return elements;
+  return read_svg(text, source).elements;
 }
 
 std::vector<SvgElement> parse_svg_part(std::string_view text, const std::string& id,
                                        const std::string& source) {
-  const SvgDocument document(text, source);
-  return SvgReader(document, id).read();
+  return read_svg_part(text, id, source).elements;
 }
 
 }  // namespace v0

@@ -152,6 +152,13 @@ std::vector<CubicPath> read_path(const SvgDocument& document, const pugi::xml_no
 
 }  // namespace
 
+std::optional<double> length_in(const SvgLength& length, SvgAxis axis, const SvgViewport& viewport) {
+  if (length.kind == SvgLength::Kind::user) return length.value;
+  const std::optional<double> whole = reference_length(axis, viewport);
+  if (!whole) return std::nullopt;
+  return length.value / 100.0 * *whole;
+}
+
 std::optional<double> read_length(const SvgDocument& document, const pugi::xml_node& node,
                                   const char* attribute, SvgAxis axis, const SvgViewport& viewport) {
   const pugi::xml_attribute value = node.attribute(attribute);
@@ -163,12 +170,11 @@ std::optional<double> read_length(const SvgDocument& document, const pugi::xml_n
     document.fail(node, attribute, error);
   }
   if (length.kind == SvgLength::Kind::automatic) return std::nullopt;
-  if (length.kind == SvgLength::Kind::user) return length.value;
-  const std::optional<double> whole = reference_length(axis, viewport);
-  if (!whole) {
+  const std::optional<double> found = length_in(length, axis, viewport);
+  if (!found) {
     document.fail(node, attribute, {0, "a percentage needs a viewBox, or a width and height, of the <svg>"});
   }
-  return length.value / 100.0 * *whole;
+  return found;
 }
 
 bool is_svg_shape(std::string_view name) {

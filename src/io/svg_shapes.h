@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "io/svg_document.h"
+#include "io/svg_values.h"
 #include "tandem/shape/cubic_path.h"
 #include "tandem/shape/transform.h"
 
@@ -21,6 +22,10 @@ struct SvgViewport {
 
 /// Which size a percentage refers to.
 enum class SvgAxis { x, y, diagonal };
+
+/// In user units; nothing when it is a percentage of an unknown size.
+[[nodiscard]] std::optional<double> length_in(const SvgLength& length, SvgAxis axis,
+                                              const SvgViewport& viewport);
 
 /// A length attribute in user units; nothing when it is absent or "auto". @throws ParseError
 [[nodiscard]] std::optional<double> read_length(const SvgDocument& document, const pugi::xml_node& node,

@@ -2,12 +2,16 @@
 
 #include <algorithm>
 
+#include "io/svg_paint.h"
+
 namespace tandem {
 inline namespace v0 {
 namespace {
 
-constexpr std::array<std::string_view, kSvgProperties> kNames = {"fill",    "stroke",     "fill-rule",
-                                                                 "display", "visibility", "transform"};
+constexpr std::array<std::string_view, kSvgProperties> kNames = {
+    "fill",         "stroke",         "fill-rule",       "display",          "visibility",
+    "transform",    "color",          "opacity",         "fill-opacity",     "stroke-opacity",
+    "stroke-width", "stroke-linecap", "stroke-linejoin", "stroke-miterlimit"};
 
 // Strengths of the cascade (CSS Cascading and Inheritance 4, section 6): presentation attributes give way to
 // every rule; among rules ids beat classes beat names; the style attribute beats rules; !important beats all
@@ -113,8 +117,22 @@ std::size_t end_of_block(std::string_view css, std::size_t start) {
   return css.size();
 }
 
-bool paints(std::string_view value) {
-  return !equals_ignoring_case(value, "none") && !equals_ignoring_case(value, "transparent");
+std::optional<SvgLength> parse_stroke_width(std::string_view text) {
+  try {
+    const SvgLength length = parse_length(text);
+    if (length.kind != SvgLength::Kind::automatic && length.value >= 0.0) return length;
+  } catch (const SyntaxError&) {
+    return std::nullopt;
+  }
+  return std::nullopt;
+}
+
+/// The paint as it comes out, nothing where it cannot be seen.
+Paint resolved_paint(const Paint& paint, const Paint& color, double opacity) {
+  Paint result = paint;
+  if (paint.kind == Paint::Kind::current) result = color;
+  result.opacity *= opacity;
+  return result.opacity > 0.0 ? result : Paint{};
 }
 
 }  // namespace
@@ -194,20 +212,45 @@ Declarations StyleSheet::cascade(const pugi::xml_node& node, std::string_view na
   return result;
 }
 
-void SvgStyle::inherit(const Declarations& own) {
-  const auto value = [&own](SvgProperty property) -> std::optional<std::string_view> {
+void SvgStyle::inherit(const Declarations& own, const SvgDocument& document) {
+  const auto read = [&own](SvgProperty property, auto parse, auto& into) {
     const auto& declaration = own[static_cast<std::size_t>(property)];
-    if (!declaration || equals_ignoring_case(declaration->value, "inherit")) return std::nullopt;
-    return declaration->value;
+    if (!declaration || equals_ignoring_case(declaration->value, "inherit")) return;
+    if (const auto value = parse(declaration->value)) into = *value;
   };
-  if (const auto paint = value(SvgProperty::fill)) fill = paints(*paint);
-  if (const auto paint = value(SvgProperty::stroke)) stroke = paints(*paint);
-  if (const auto rule = value(SvgProperty::fill_rule)) {
-    fill_rule = equals_ignoring_case(*rule, "evenodd") ? FillRule::evenodd : FillRule::nonzero;
-  }
-  if (const auto visibility = value(SvgProperty::visibility)) {
-    visible = equals_ignoring_case(*visibility, "visible");
-  }
+  const auto paint = [&document](std::string_view text) { return parse_paint(text, document); };
+  read(SvgProperty::fill, paint, style.fill);
+  read(SvgProperty::stroke, paint, style.stroke);
+  read(SvgProperty::fill_opacity, parse_opacity, fill_opacity);
+  read(SvgProperty::stroke_opacity, parse_opacity, stroke_opacity);
+  read(SvgProperty::stroke_linecap, parse_line_cap, style.line_cap);
+  read(SvgProperty::stroke_linejoin, parse_line_join, style.line_join);
+  read(SvgProperty::stroke_miterlimit, parse_miter_limit, style.miter_limit);
+  read(SvgProperty::stroke_width, parse_stroke_width, stroke_width);
+  Paint own_color = color;
+  read(SvgProperty::color, paint, own_color);
+  if (own_color.kind != Paint::Kind::current) color = own_color;
+  double own_opacity = 1.0;
+  read(SvgProperty::opacity, parse_opacity, own_opacity);
+  opacity *= own_opacity;
+  read(
+      SvgProperty::fill_rule,
+      [](std::string_view text) -> std::optional<FillRule> {
+        return equals_ignoring_case(text, "evenodd") ? FillRule::evenodd : FillRule::nonzero;
+      },
+      fill_rule);
+  read(
+      SvgProperty::visibility,
+      [](std::string_view text) -> std::optional<bool> { return equals_ignoring_case(text, "visible"); },
+      visible);
+}
+
+Style SvgStyle::resolved(double width) const {
+  Style result = style;
+  result.fill = resolved_paint(style.fill, color, opacity * fill_opacity);
+  result.stroke = width > 0.0 ? resolved_paint(style.stroke, color, opacity * stroke_opacity) : Paint{};
+  result.stroke_width = width;
+  return result;
 }
 
 }  // namespace v0

@@ -9,14 +9,31 @@
 #include <unordered_map>
 
 #include "io/svg_document.h"
+#include "io/svg_values.h"
+#include "tandem/io/style.h"
 #include "tandem/shape/shape.h"
 
 namespace tandem {
 inline namespace v0 {
 
-/// The properties that decide what is drawn, and where.
-enum class SvgProperty { fill, stroke, fill_rule, display, visibility, transform };
-inline constexpr std::size_t kSvgProperties = 6;
+/// The properties that decide what is drawn, where, and how.
+enum class SvgProperty {
+  fill,
+  stroke,
+  fill_rule,
+  display,
+  visibility,
+  transform,
+  color,
+  opacity,
+  fill_opacity,
+  stroke_opacity,
+  stroke_width,
+  stroke_linecap,
+  stroke_linejoin,
+  stroke_miterlimit
+};
+inline constexpr std::size_t kSvgProperties = 14;
 
 /// A value and how strongly it is meant: the cascade keeps the strongest, and the later one of equals.
 struct Declaration {
@@ -53,12 +70,19 @@ class StyleSheet {
 
 /// What an element has from its ancestors and its own declarations.
 struct SvgStyle {
-  bool fill = true;     ///< painted inside
-  bool stroke = false;  ///< painted along the line
+  Style style;  ///< without the opacities below, and the width of lines
+  SvgLength stroke_width{1.0, SvgLength::Kind::user};
+  Paint color{Paint::Kind::current, {}, 1.0};  ///< what currentColor means
+  double opacity = 1.0;                        ///< of all elements around, multiplied
+  double fill_opacity = 1.0;
+  double stroke_opacity = 1.0;
   bool visible = true;
   FillRule fill_rule = FillRule::nonzero;
 
-  void inherit(const Declarations& own);
+  /// Values that are not valid do not count.
+  void inherit(const Declarations& own, const SvgDocument& document);
+  /// With everything applied. width: of lines, in the units of the drawing.
+  [[nodiscard]] Style resolved(double width) const;
 };
 
 }  // namespace v0

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "tandem/io/style.h"
 #include "tandem/shape/transform.h"
 
 /// The values of SVG attributes. All of these throw SyntaxError with the offset in their text.
@@ -24,13 +25,6 @@ struct SvgLength {
 /// Units: px, pt, pc, in, cm, mm, Q (96 pixels to the inch); em and rem count 16, ex and ch 8 pixels, the
 /// initial font size, since text properties are not looked at.
 [[nodiscard]] SvgLength parse_length(std::string_view text);
-
-struct ViewBox {
-  double x = 0.0;
-  double y = 0.0;
-  double width = 0.0;
-  double height = 0.0;
-};
 
 [[nodiscard]] ViewBox parse_view_box(std::string_view text);
 

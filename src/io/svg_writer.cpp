@@ -4,6 +4,8 @@
 #include <limits>
 #include <string_view>
 
+#include "io/layers.h"
+#include "io/style_properties.h"
 #include "io/svg_parts.h"
 #include "tandem/error.h"
 #include "tandem/io/path_data.h"
@@ -48,12 +50,20 @@ std::string format_svg(const Shape& shape) {
   return document(view_of(box), path_data_parts(paths, lines, -1), shape.fill_rule);
 }
 
-std::string format_frame_svg(const PathMorph& morph, double s, int precision) {
+std::string format_frame_svg(const PathMorph& morph, double s, int precision, const Look& look) {
   const std::vector<CubicPath> paths = morph.at(s);
-  const View view = view_at(morph, s, paths);
+  const View view = view_at(morph, look, s, paths);
   std::vector<std::vector<bool>> lines;
   for (const PathContour& contour : morph.contours()) lines.push_back(contour.lines);
-  return document(view, path_data_parts(paths, lines, decimals_for(view, precision)), morph.fill_rule());
+  std::string text =
+      fmt::format("<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"{}\">\n", format_view_box(view));
+  for (const Layer& layer : layers_of(morph, look, view, ink_paint())) {
+    const Style style = style_at(layer, morph.key_times(), s);
+    text += fmt::format(
+        "<path {}d=\"{}\"/>\n", attributes_text(style, morph.fill_rule(), decimals_for(view.size())),
+        format_path_data(part_of(layer, paths), part_of(layer, lines), decimals_for(view, precision)));
+  }
+  return text + "</svg>\n";
 }
 
 std::string format_keys_svg(const PathMorph& morph, int precision) {

@@ -57,6 +57,16 @@ std::vector<TimelineStep> loop_timeline(const KeyFrames& frames, const Animation
   return steps;
 }
 
+KeyFrames keys_of(const KeyFrames& frames) {
+  KeyFrames keys;
+  keys.smooth = frames.smooth;
+  for (const std::size_t key : frames.keys) {
+    keys.keys.push_back(keys.times.size());
+    keys.times.push_back(frames.times[key]);
+  }
+  return keys;
+}
+
 double played_at(const KeyFrames& frames, const std::vector<TimelineStep>& steps, double x) {
   std::size_t i = steps.size() - 2;
   while (i > 0 && steps[i].time > x) --i;

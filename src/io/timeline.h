@@ -35,6 +35,9 @@ struct TimelineStep {
 [[nodiscard]] std::vector<TimelineStep> loop_timeline(const KeyFrames& frames,
                                                       const AnimationOptions& options);
 
+/// The keys alone as frames, for what changes evenly from key to key.
+[[nodiscard]] KeyFrames keys_of(const KeyFrames& frames);
+
 /// s at the share of time x in [0,1].
 [[nodiscard]] double played_at(const KeyFrames& frames, const std::vector<TimelineStep>& steps, double x);
 

@@ -227,33 +227,35 @@ void relax_pairs_lanes(const RelaxStep* steps, std::size_t count, double* to_cos
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
+#include "match/kernel_target.h"
+
 namespace tandem {
 inline namespace v0 {
 namespace detail {
 
-HWY_EXPORT(integrate_edges_lanes);
-HWY_EXPORT(integrate_overlaps_lanes);
-HWY_EXPORT(relax_costs_lanes);
-HWY_EXPORT(relax_pairs_lanes);
+TANDEM_KERNEL(integrate_edges_lanes);
+TANDEM_KERNEL(integrate_overlaps_lanes);
+TANDEM_KERNEL(relax_costs_lanes);
+TANDEM_KERNEL(relax_pairs_lanes);
 
 void integrate_edges(const double* chords, const EdgeTerm* terms, const EdgeSum* sums, std::size_t count,
                      std::size_t lo, std::size_t hi, const EdgeOptions& options) {
-  HWY_DYNAMIC_DISPATCH(integrate_edges_lanes)(chords, terms, sums, count, lo, hi, options);
+  TANDEM_DISPATCH(integrate_edges_lanes)(chords, terms, sums, count, lo, hi, options);
 }
 
 void integrate_overlaps(const double* chords, const EdgeOverlaps& edges, std::size_t lo, std::size_t hi,
                         const EdgeOptions& options) {
-  HWY_DYNAMIC_DISPATCH(integrate_overlaps_lanes)(chords, edges, lo, hi, options);
+  TANDEM_DISPATCH(integrate_overlaps_lanes)(chords, edges, lo, hi, options);
 }
 
 void relax_costs(const RelaxStep* steps, std::size_t count, double* to, std::size_t lo, std::size_t hi,
                  bool maximum) {
-  HWY_DYNAMIC_DISPATCH(relax_costs_lanes)(steps, count, to, lo, hi, maximum);
+  TANDEM_DISPATCH(relax_costs_lanes)(steps, count, to, lo, hi, maximum);
 }
 
 void relax_pairs(const RelaxStep* steps, std::size_t count, double* to_cost, double* to_invalid,
                  std::size_t lo, std::size_t hi, bool maximum) {
-  HWY_DYNAMIC_DISPATCH(relax_pairs_lanes)(steps, count, to_cost, to_invalid, lo, hi, maximum);
+  TANDEM_DISPATCH(relax_pairs_lanes)(steps, count, to_cost, to_invalid, lo, hi, maximum);
 }
 
 }  // namespace detail

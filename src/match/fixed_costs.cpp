@@ -48,13 +48,15 @@ void tangent_row(const double* const* a, const double* const* b, std::size_t dim
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
+#include "match/kernel_target.h"
+
 namespace tandem {
 inline namespace v0 {
 namespace detail {
 
 namespace {
 
-HWY_EXPORT(tangent_row);
+TANDEM_KERNEL(tangent_row);
 
 /// A vector of any instruction set may be read past an array's end.
 constexpr std::size_t kPadding = 64 / sizeof(double);
@@ -88,7 +90,7 @@ FixedCosts fixed_tangent_costs(const TangentPlanes& a, const TangentPlanes& b, b
   }
   for (std::size_t e = 0; e < rows; ++e) {
     for (std::size_t c = 0; c < dim; ++c) from[c] = backwards.data() + c * span + (rows - 1 - e);
-    HWY_DYNAMIC_DISPATCH(tangent_row)
+    TANDEM_DISPATCH(tangent_row)
     (from.data(), to.data(), dim, width, 1.0 / costs.quantum, costs.table.diagonal(e));
   }
   return costs;

@@ -144,32 +144,34 @@ int lanes_fixed() {
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
+#include "match/kernel_target.h"
+
 namespace tandem {
 inline namespace v0 {
 namespace detail {
 
 namespace {
 
-HWY_EXPORT(costs_real);
-HWY_EXPORT(costs_fixed);
-HWY_EXPORT(lanes_real);
-HWY_EXPORT(lanes_fixed);
+TANDEM_KERNEL(costs_real);
+TANDEM_KERNEL(costs_fixed);
+TANDEM_KERNEL(lanes_real);
+TANDEM_KERNEL(lanes_fixed);
 
 }  // namespace
 
 int start_lanes(double) {
-  return HWY_DYNAMIC_DISPATCH(lanes_real)();
+  return TANDEM_DISPATCH(lanes_real)();
 }
 int start_lanes(std::int32_t) {
-  return HWY_DYNAMIC_DISPATCH(lanes_fixed)();
+  return TANDEM_DISPATCH(lanes_fixed)();
 }
 
 void start_costs(const PathFamily<double>& family, int k, const Channel& channel, std::span<double> costs) {
-  HWY_DYNAMIC_DISPATCH(costs_real)(family, k, channel, costs);
+  TANDEM_DISPATCH(costs_real)(family, k, channel, costs);
 }
 void start_costs(const PathFamily<std::int32_t>& family, int k, const Channel& channel,
                  std::span<std::int32_t> costs) {
-  HWY_DYNAMIC_DISPATCH(costs_fixed)(family, k, channel, costs);
+  TANDEM_DISPATCH(costs_fixed)(family, k, channel, costs);
 }
 
 }  // namespace detail

@@ -331,26 +331,28 @@ TracedCost<double> trace_streamed(const LexicographicNodes& nodes) {
 HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
+#include "match/kernel_target.h"
+
 namespace tandem {
 inline namespace v0 {
 namespace detail {
 
 namespace {
 
-HWY_EXPORT(trace_real);
-HWY_EXPORT(trace_fixed);
-HWY_EXPORT(trace_streamed);
+TANDEM_KERNEL(trace_real);
+TANDEM_KERNEL(trace_fixed);
+TANDEM_KERNEL(trace_streamed);
 
 }  // namespace
 
 TracedCost<double> trace_path(const PathFamily<double>& family, int k, const Channel& channel) {
-  return HWY_DYNAMIC_DISPATCH(trace_real)(family, k, channel);
+  return TANDEM_DISPATCH(trace_real)(family, k, channel);
 }
 TracedCost<std::int32_t> trace_path(const PathFamily<std::int32_t>& family, int k, const Channel& channel) {
-  return HWY_DYNAMIC_DISPATCH(trace_fixed)(family, k, channel);
+  return TANDEM_DISPATCH(trace_fixed)(family, k, channel);
 }
 TracedCost<double> trace_open(const LexicographicNodes& nodes) {
-  return HWY_DYNAMIC_DISPATCH(trace_streamed)(nodes);
+  return TANDEM_DISPATCH(trace_streamed)(nodes);
 }
 
 }  // namespace detail

@@ -22,6 +22,12 @@ constexpr double kPoint = 1e-9;
 // An outline that shrinks to less than this share of what the plain step leaves of its area collapses; one
 // that is turned inside out has less than nothing.
 constexpr double kLeastArea = 0.5;
+// Points of the last key that lie within this share of the shape's extent of those of the first are the same:
+// each step leaves joints where they are up to the tolerance of its fit, a thousandth of the outline's
+// length.
+constexpr double kSameKey = 0.02;
+constexpr double kFullTurn = 360.0;
+constexpr double kSameTurn = 1e-6;  // degrees; turns are summed up
 // Shares of the speed at which keys are tried to be passed.
 constexpr std::array<double, 4> kPaces = {1.0, 0.5, 0.25, 0.0};
 
@@ -99,33 +105,59 @@ SmoothSteps::SmoothSteps(std::span<const StepBlend> blends, std::span<const doub
       bends_[k][c].end.resize(blends[k].size(c));
     }
   }
-  for (std::size_t k = 0; k + 1 < blends.size(); ++k) {
-    const FramePose before = sum(1.0, poses_[k + 1], -1.0, poses_[k]);
-    const FramePose after = sum(1.0, poses_[k + 2], -1.0, poses_[k + 1]);
-    const KeyVelocity share(lengths_[k], lengths_[k + 1]);
-    const FramePose velocity = sum(share.before, before, share.after, after);
-    pose_ends_[k] = sum(lengths_[k], velocity, -1.0, before);
-    pose_starts_[k + 1] = sum(lengths_[k + 1], velocity, -1.0, after);
-    for (std::size_t c = 0; c < bends_[k].size(); ++c) bend_contour(blends, k, c);
-  }
+  for (std::size_t k = 0; k + 1 < blends.size(); ++k) join(blends, k, k + 1);
+  loop_ = is_loop(blends);
+  if (loop_) join(blends, blends.size() - 1, 0);
 }
 
-void SmoothSteps::bend_contour(std::span<const StepBlend> blends, std::size_t step, std::size_t contour) {
+void SmoothSteps::join(std::span<const StepBlend> blends, std::size_t step, std::size_t next) {
+  const FramePose before = sum(1.0, poses_[step + 1], -1.0, poses_[step]);
+  const FramePose after = sum(1.0, poses_[next + 1], -1.0, poses_[next]);
+  const KeyVelocity share(lengths_[step], lengths_[next]);
+  const FramePose velocity = sum(share.before, before, share.after, after);
+  pose_ends_[step] = sum(lengths_[step], velocity, -1.0, before);
+  pose_starts_[next] = sum(lengths_[next], velocity, -1.0, after);
+  for (std::size_t c = 0; c < bends_[step].size(); ++c) bend_contour(blends, step, next, c);
+}
+
+bool SmoothSteps::is_loop(std::span<const StepBlend> blends) const {
+  const FramePose change = sum(1.0, poses_.back(), -1.0, poses_.front());
+  if (std::fabs(std::remainder(change.degrees, kFullTurn)) > kSameTurn) return false;
+  double size = 0.0;
+  for (std::size_t c = 0; c < blends.front().contour_count(); ++c) {
+    size = std::max(size, extent_at(blends.front(), 0.0, c));
+  }
+  for (std::size_t c = 0; c < blends.front().contour_count(); ++c) {
+    std::vector<double> first(blends.front().size(c));
+    std::vector<double> last(blends.back().size(c));
+    blends.front().at(0.0, c, first);
+    blends.back().at(1.0, c, last);
+    // What is a point at both ends is not seen there, wherever it is.
+    if (std::max(extent(first), extent(last)) <= kPoint * size) continue;
+    for (std::size_t i = 0; i < first.size(); ++i) {
+      if (!(std::fabs(last[i] - first[i]) <= kSameKey * size)) return false;
+    }
+  }
+  return true;
+}
+
+void SmoothSteps::bend_contour(std::span<const StepBlend> blends, std::size_t step, std::size_t next,
+                               std::size_t contour) {
   const std::vector<double> before = velocity(blends[step], step, contour, true);
-  const std::vector<double> after = velocity(blends[step + 1], step + 1, contour, false);
-  const KeyVelocity share(lengths_[step], lengths_[step + 1]);
+  const std::vector<double> after = velocity(blends[next], next, contour, false);
+  const KeyVelocity share(lengths_[step], lengths_[next]);
   std::vector<double> mean(before.size());
   for (std::size_t i = 0; i < mean.size(); ++i) {
     mean[i] = share.before * before[i] + share.after * after[i];
   }
   const double largest =
-      std::max(extent_at(blends[step], 0.0, contour), extent_at(blends[step + 1], 1.0, contour));
+      std::max(extent_at(blends[step], 0.0, contour), extent_at(blends[next], 1.0, contour));
   if (extent_at(blends[step], 1.0, contour) <= kPoint * largest) make_even(mean);
   Bend& left = bends_[step][contour];
-  Bend& right = bends_[step + 1][contour];
+  Bend& right = bends_[next][contour];
   for (std::size_t i = 0; i < mean.size(); ++i) {
     left.end[i] = lengths_[step] * mean[i] - before[i];
-    right.start[i] = lengths_[step + 1] * mean[i] - after[i];
+    right.start[i] = lengths_[next] * mean[i] - after[i];
   }
 }
 
@@ -224,10 +256,14 @@ void SmoothSteps::find_pace(std::span<const StepBlend> blends) {
     again = false;
     for (std::size_t k = 0; k < blends.size(); ++k) {
       if (!is_worse(blends[k], k)) continue;
-      // The ends of the whole move as their steps do, at any pace.
-      for (const std::size_t key : {k, k + 1}) {
-        if (key == 0 || key + 1 == pace_.size() || slower[key] + 1 == kPaces.size()) continue;
+      for (std::size_t key : {k, k + 1}) {
+        const bool end = key == 0 || key + 1 == pace_.size();
+        // The ends of the whole move as their steps do, at any pace; those of a loop are one key.
+        if (end && !loop_) continue;
+        if (end) key = 0;
+        if (slower[key] + 1 == kPaces.size()) continue;
         pace_[key] = kPaces[++slower[key]];
+        if (end) pace_.back() = pace_.front();
         again = true;
       }
     }

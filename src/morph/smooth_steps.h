@@ -12,7 +12,8 @@ inline namespace v0 {
 namespace detail {
 
 /// How a smooth morph goes through its steps (PathMorph): the steps' own blends, as the frame sees them, and
-/// the poses of the frame, both with corrections of their velocities at the keys.
+/// the poses of the frame, both with corrections of their velocities at the keys. A loop, whose last key is
+/// its first one, runs through it at one velocity as well.
 class SmoothSteps {
  public:
   /// blends: of the steps, in order, without detours. times: of the keys. poses: of the keys, about their
@@ -41,8 +42,12 @@ class SmoothSteps {
   /// Velocity of a contour as the frame sees it, at the start (end: at the end) of a step.
   [[nodiscard]] std::vector<double> velocity(const StepBlend& blend, std::size_t step, std::size_t contour,
                                              bool end) const;
-  /// Sets what meets at the key behind `step`, from the velocities of the steps that meet there.
-  void bend_contour(std::span<const StepBlend> blends, std::size_t step, std::size_t contour);
+  /// Sets what meets at the key between `step` and `next`, from the velocities of the steps that meet there.
+  void join(std::span<const StepBlend> blends, std::size_t step, std::size_t next);
+  void bend_contour(std::span<const StepBlend> blends, std::size_t step, std::size_t next,
+                    std::size_t contour);
+  /// Whether the last key is the first one again, with its joints where they were.
+  [[nodiscard]] bool is_loop(std::span<const StepBlend> blends) const;
   /// What the in-betweens of a step are worth.
   struct Verdict {
     std::size_t faulty = 0;  ///< that cross or fold
@@ -57,7 +62,8 @@ class SmoothSteps {
   std::vector<FramePose> poses_;
   std::vector<FramePose> pose_starts_;  ///< Bend of the pose, per step
   std::vector<FramePose> pose_ends_;
-  std::vector<std::vector<Bend>> bends_;       ///< [step][contour]
+  std::vector<std::vector<Bend>> bends_;  ///< [step][contour]
+  bool loop_ = false;
   std::vector<double> pace_;                   ///< per key
   std::vector<std::vector<double>> windings_;  ///< [step][contour]: 1 or -1, as the keys are wound
   std::vector<std::vector<double>> sizes_;     ///< [step][contour]: areas of both keys

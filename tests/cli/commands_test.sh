@@ -297,4 +297,8 @@ out_has '"direction": ?"reversed"'
 
 only ANIM.SVG a.svg back.json c.svg f.json m.json m.svg motion.csv p.html parts.svg sheet.svg space.itd space.json \
   still.svg two.svg
+# Perpendicular at one end alone: valid on all of the length but a point, which is not all.
+expect 0 match 'M0 0L10 0' 'M0 0C5.5 0 10 4.5 10 10'
+out_has 'valid +no .*over 99\.99 % of the length'
+err_has 'valid on over 99\.99 % of the length'
 finish

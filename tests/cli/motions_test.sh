@@ -55,7 +55,30 @@ expect 3 morph slow.csv wide.csv -o half.gif
 err_has 'motions go to'
 cut -d, -f1-3 slow.csv >two.csv
 expect 3 morph slow.csv two.csv -o half.csv --at 0.5
-err_has '2 coordinates, expected 3'
+err_has 'two\.csv has 2 columns of values, expected 3 as in slow\.csv'
+expect 3 morph slow.csv wide.csv --at 1 -o - --pin 0.5=9
+err_has 'slow\.csv, wide\.csv: '
+printf 'time,a,b\n' >empty.csv
+expect 3 morph slow.csv empty.csv --at 1 -o -
+err_has 'empty\.csv.*no row of numbers'
+
+# Columns belong together by name, wherever they stand.
+awk -F, '{ print $1 "," $4 "," $2 "," $3 }' wide.csv >mixed.csv
+expect 0 morph slow.csv wide.csv --at 0.5 -o half.csv
+expect 0 morph slow.csv mixed.csv --at 0.5 -o other.csv
+err_has 'the columns of mixed\.csv stand in another order'
+that "the same in-between" cmp half.csv other.csv
+expect 0 morph mixed.csv slow.csv wide.csv --at 0.5 -o other.csv --quiet
+that "the order of the first file" test "$(head -1 other.csv)" == 'time,rest,"left arm",right'
+sed '1s/right/RIGHT/' mixed.csv >names.csv
+expect 0 morph slow.csv names.csv --at 0.5 -o other.csv
+err_has 'warning.*names\.csv has rest, left arm, RIGHT.*in the order in which they stand'
+that "by their places" bash -c '! cmp -s half.csv other.csv'
+for name in slow mixed; do sed 1d $name.csv >nameless.$name.csv; done
+expect 0 morph nameless.slow.csv nameless.mixed.csv --at 0.5 -o other.csv
+err_empty
+expect 0 morph slow.csv wide.csv --at 0.5 -o half.csv --smooth
+err_has 'note.*--smooth'
 # Two columns of values are a drawing, unless a table is wanted.
 expect 0 morph two.csv two.csv -o - --at 0.5
 out_has '"d": "M'

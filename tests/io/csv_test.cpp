@@ -138,7 +138,7 @@ TEST(Csv, TakesThousandsOfRows) {
 const BadInput kBad[] = {
     {"", 1, 1, "there is no row in it"},
     {"# nothing\n\n", 1, 1, "there is no row in it"},
-    {"x,y\n", 2, 1, "0 row of numbers, a curve needs at least 2"},
+    {"x,y\n", 2, 1, "no row of numbers, a curve needs at least 2"},
     {"1,2", 1, 4, "1 row of numbers, a curve needs at least 2"},
     {"x,y\n1,2\n", 3, 1, "1 row of numbers"},
     {"1,2\n3\n", 2, 1, "a row of 1 columns, expected 2 as in the first row"},

@@ -38,7 +38,7 @@ TEST(HtmlPlayer, HoldsTheKeysAsNumbers) {
   const PathMorph morph = some_morph();
   const std::string page = format_html_player(morph, "Square to disc", {.duration = 1.5, .easing = "ease"});
   const nlohmann::json data =
-      nlohmann::json::parse(between(page, "<script type=\"application/json\" id=\"morph\">", "</script>"));
+      nlohmann::json::parse(between(page, "<script type=\"application/json\" id=\"data\">", "</script>"));
   EXPECT_EQ(data["keys"], nlohmann::json({0, 1, 2}));
   EXPECT_EQ(data["times"], nlohmann::json({0, 0.5, 1}));
   EXPECT_EQ(data["repeat"], true);
@@ -67,7 +67,7 @@ TEST(HtmlPlayer, HoldsTheKeysAsNumbers) {
 TEST(HtmlPlayer, HoldsThePosesOfATurningFrame) {
   const auto data_of = [](const PathMorph& morph) {
     return nlohmann::json::parse(between(format_html_player(morph, "x"),
-                                         "<script type=\"application/json\" id=\"morph\">", "</script>"));
+                                         "<script type=\"application/json\" id=\"data\">", "</script>"));
   };
   EXPECT_FALSE(data_of(some_morph()).contains("poses"));
   const Shape key = to_shape(parse_path_data("M0 0H9V2H3V5H0Z", "key", false));

@@ -53,6 +53,9 @@ TEST_F(Load, ReadsPathData) {
             "path data:1:9: expected a number (x of L), found 'x'");
   EXPECT_EQ(error_of<tandem::ParseError>("M, 0 0"), "path data:1:2: expected a number (x of M), found ','");
   EXPECT_EQ(error_of<tandem::ParseError>("M 0 0"), "path data: draws nothing");
+  EXPECT_EQ(
+      error_of<tandem::ParseError>("M1e17 1e17h2v1z"),
+      "path data: draws nothing: at coordinates of 1e+17 numbers are 16 apart, and its points fall together");
 }
 
 TEST_F(Load, ReadsSvgAndItsParts) {

@@ -50,7 +50,7 @@ TEST(MotionPicture, PageHoldsTheMotions) {
     const std::string page = format_motion_html(
         morph, {.columns = kColumns, .title = "<b>", .in_betweens = {}}, {.duration = 1.5, .easing = "ease"});
     EXPECT_NE(page.find("&lt;b&gt;"), std::string::npos);
-    const std::string head = "id=\"motion\">";
+    const std::string head = "id=\"data\">";
     const std::size_t from = page.find(head) + head.size();
     const nlohmann::json data = nlohmann::json::parse(page.substr(from, page.find("</script>", from) - from));
     EXPECT_EQ(data["duration"], 1.5);

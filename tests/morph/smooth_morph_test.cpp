@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -12,6 +14,7 @@
 #include "tandem/morph/morph.h"
 #include "tandem/morph/path_morph.h"
 #include "tandem/morph/quality.h"
+#include "tandem/shape/measures.h"
 #include "tandem/shape/path_builder.h"
 
 namespace tandem {
@@ -244,6 +247,68 @@ TEST(SmoothMorph, PointsDoNotSwingBeforeTheyAreBorn) {
   EXPECT_EQ(measure_quality(morph).faulty, 0u);
 }
 
+// Velocity just behind the start minus that just before the end, relative to the larger of the two.
+double joint_break(const PathMorph& morph) {
+  constexpr double h = 1e-4;
+  const auto velocity = [&](double s, double step) {
+    std::vector<double> at = coordinates(morph.at(s));
+    const std::vector<double> one = coordinates(morph.at(s + step));
+    const std::vector<double> two = coordinates(morph.at(s + 2 * step));
+    for (std::size_t i = 0; i < at.size(); ++i) at[i] = (4 * one[i] - two[i] - 3 * at[i]) / (2 * step);
+    return at;
+  };
+  const std::vector<double> start = velocity(0.0, h);
+  const std::vector<double> end = velocity(1.0, -h);
+  double speed = 0.0;
+  for (std::size_t i = 0; i < start.size(); ++i)
+    speed = std::max({speed, std::fabs(start[i]), std::fabs(end[i])});
+  return largest_difference(start, end) / speed;
+}
+
+Curve hook() {
+  PathBuilder builder;
+  builder.move_to({0, 0});
+  for (const Vec2 corner : {Vec2{9, 0}, {9, 2}, {3, 2}, {3, 5}, {0, 5}}) builder.line_to(corner);
+  builder.close();
+  return to_curve(builder.take().front());
+}
+
+// Keys of one kind, whose matches bring every joint back to where it was.
+TEST(SmoothMorph, ClosesLoops) {
+  const std::vector<Shape> loop{one(hook()), one(transform(hook(), Transform{1.4, 0.2, 0.0, 0.8, 3.0, 0.0})),
+                                one(transform(hook(), Transform{0.8, 0.0, 0.3, 1.2, 0.0, 2.0})), one(hook())};
+  for (const BlendKind kind : {BlendKind::affine, BlendKind::hermite, BlendKind::automatic}) {
+    MorphOptions options = smooth(kind);
+    options.times = {0, 0.2, 0.55, 1};
+    const PathMorph morph(loop, options);
+    options.smooth = false;
+    const PathMorph plain(loop, options);
+    EXPECT_LE(joint_break(morph), 1e-3) << static_cast<int>(kind);
+    EXPECT_GE(joint_break(plain), 0.1) << static_cast<int>(kind);
+    for (const double s : {0.0, 1.0})
+      EXPECT_LE(largest_difference(coordinates(morph.at(s)), coordinates(plain.at(s))), 1e-12) << s;
+    EXPECT_EQ(morph.pace().front(), morph.pace().back());
+  }
+  // What does not come back is not bent at its ends.
+  const std::vector<Shape> way{one(blob(3, 0)), one(bar(9, 9)), one(blob(5, 4)), one(blob(4, 2))};
+  EXPECT_GE(joint_break(PathMorph(way, smooth(BlendKind::affine))), 0.1);
+}
+
+TEST(SmoothMorph, ClosesTurnsOfAWholeRound) {
+  std::vector<Shape> keys;
+  for (const double degrees : {0.0, 90.0, 180.0, 270.0, 360.0}) {
+    keys.push_back(one(transform(hook(), Transform::rotate_degrees(degrees))));
+  }
+  MorphOptions options = smooth();
+  options.match.rotate = true;
+  options.match.direction = Direction::forward;
+  const PathMorph morph(keys, options);
+  EXPECT_NEAR(morph.poses().back().degrees, 360.0, 1e-6);
+  EXPECT_LE(joint_break(morph), 1e-3);
+  options.smooth = false;
+  EXPECT_GE(joint_break(PathMorph(keys, options)), 0.1);
+}
+
 // A bar that thins quickly and then stays thin would be turned inside out by a spline through the keys.
 TEST(SmoothMorph, SlowsDownWhereItWouldCross) {
   const std::vector<Shape> keys{one(bar(10, 10)), one(bar(10, 0.2)), one(bar(10, 0.3))};
@@ -318,6 +383,39 @@ TEST(KeyChain, ComesBackToWhereItStarted) {
     }
     // Joints lie within the tolerance of the fit of where they were, of a length of 35.
     EXPECT_LE(largest, 0.35);
+  }
+}
+
+// Distance of a point from a path, by dense samples.
+double distance_from(const CubicPath& path, std::span<const double> p) {
+  const Curve curve = to_curve(path);
+  const Interval domain = curve.domain();
+  double least = std::numeric_limits<double>::infinity();
+  constexpr int kSamples = 20'000;
+  for (int i = 0; i <= kSamples; ++i) {
+    const Point q = curve.evaluate(domain.lo + domain.length() * i / kSamples);
+    least = std::min(least, std::hypot(q[0] - p[0], q[1] - p[1]));
+  }
+  return least;
+}
+
+// A, B, C, A: the last key is the first one's outline exactly. Its joints are those that the three matches
+// hand on, which need not be where they started: nothing makes the best matches of A and B, B and C, C and A
+// agree.
+TEST(KeyChain, LoopsOfThreeKeysComeBack) {
+  const std::vector<Shape> keys{one(blob(3, 0)), one(blob(5, 1)), one(bar(9, 9)), one(blob(3, 0))};
+  for (const BlendKind kind : {BlendKind::affine, BlendKind::automatic}) {
+    MorphOptions options = smooth(kind);
+    options.smooth = false;
+    const PathMorph morph(keys, options);
+    const CubicPath first = morph.at(0.0)[0];
+    const CubicPath last = morph.at(1.0)[0];
+    ASSERT_EQ(first.segment_count(), last.segment_count());
+    EXPECT_NEAR(signed_area(first), signed_area(last), 1e-6 * std::fabs(signed_area(first)));
+    for (std::size_t i = 0; i < last.control_points().size(); i += 3) {
+      const auto p = last.control_points()[i];
+      EXPECT_LE(distance_from(first, p), 2e-3) << i;  // of an extent of 10; as dense as the samples are
+    }
   }
 }
 

@@ -30,7 +30,8 @@ to_svg() {
     -e 's|<group .*translateX="([^"]*)" android:translateY="([^"]*)" android:rotation="([^"]*)">|<g transform="translate(\1 \2) rotate(\3)">|; s|</group>|</g>|' \
     -e '/fillColor/!s|<path |<path fill="none" |' \
     -e 's|android:fillColor|fill|; s|android:fillType="evenOdd"|fill-rule="evenodd"|; s|android:strokeColor|stroke|; s|android:strokeWidth|stroke-width|' \
-    -e 's|android:strokeLineJoin|stroke-linejoin|; s|android:pathData|d|; s|android:name="[^"]*"||'
+    -e 's|android:fillAlpha|fill-opacity|; s|android:strokeAlpha|stroke-opacity|; s|android:strokeLineCap|stroke-linecap|' \
+    -e 's|android:strokeLineJoin|stroke-linejoin|; s|android:strokeMiterLimit|stroke-miterlimit|; s|android:pathData|d|; s|android:name="[^"]*"||'
 }
 
 # Every <aapt:attr> becomes a resource of its own; one inside another has a dollar sign more.
@@ -57,6 +58,10 @@ check quarter 'M0 0H9V2H3V5H0Z' 'M0 0V9H-2V3H-5V0Z'
 check several 'M0 0H9V9H0Z' 'M0 0H5V9H0Z' 'M2 0H7V7H0Z'
 check lines 'M0 0H9V9H0ZM1 12L8 12' 'M0 0H5V9H0ZM1 12C3 16 5 9 8 12'
 check holes 'M0 0H9V9H0ZM3 3H6V6H3Z' 'M0 0H9V9H0ZM2 2H7V7H2Z' --fill-rule evenodd
+styled_shapes
+check outline ring.svg zigzag.svg
+check colors red.svg blue.svg
+check becoming ring.svg both.svg
 other_picture icon.png quarter.ours.png
 sed 's|</group>||' res/drawable/quarter.xml >res/drawable/broken.xml
 that "aapt2 can refuse" bash -c '! aapt2 compile res/drawable/broken.xml -o . 2>/dev/null'

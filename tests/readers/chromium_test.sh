@@ -60,7 +60,7 @@ check() { # NAME EASING TIMES SHAPE...
     smil_row "$name.svg"
     css_row "$name.css" "$svg"
   } >"$name.html"
-  if [[ $name != open ]]; then
+  if [[ $name != open && $name != outline && $name != becoming ]]; then
     expect 0 morph "$@" "${timing[@]}" -o "$name.clip.css" --css clip-path --name clip --size "$size" --easing "$easing" --quiet
     css_row "$name.clip.css" '<div class="clip"></div>' >>"$name.html"
     rows+=("$name.clip")
@@ -75,6 +75,20 @@ check holes 0.42,0,0.58,1 0,1 "$DATA/icons/cat.svg" "$DATA/icons/bird.svg"
 check turn 0.25,0.1,0.25,1 0,0.5,1 'M0 0H9V2H3V5H0Z' 'M0 0V9H-2V3H-5V0Z' 'M0 0H9V9H0Z'
 check open linear 0,1 'M0 0C1 5 5 5 9 0' 'M0 0C5 -5 5 5 9 9'
 
+# The styles of the inputs: lines that grow, colours that mix, a fill that fades in while lines widen.
+styled_shapes
+# Chromium blurs lines that are turned by an animation: these are not.
+timing=(--no-rotate)
+check outline linear 0,1 ring.svg zigzag.svg
+timing=()
+check colors 0.42,0,0.58,1 0,1 red.svg blue.svg
+check becoming linear 0,0.5,1 ring.svg both.svg red.svg
+# The comparison sees colours.
+expect 0 morph "$DATA/icons/heart.svg" blue.svg --at 0 -o black.png --quiet
+sed 's|<svg |<svg fill="#ff0000" |' "$DATA/icons/heart.svg" >red-heart.svg
+expect 0 morph red-heart.svg blue.svg --at 0 -o red.png --quiet
+that "colours differ" less "$alike" "$(difference black.png red.png)"
+
 # Keys at times of their own, every step with its own easing; and a smooth way that is eased as a whole.
 timing=(--times 0,0.3,1)
 check timed '0.42,0,1,1;0,0,0.58,1' 0,0.3,1 "$DATA/icons/heart.svg" "$DATA/icons/star.svg" "$DATA/icons/cat.svg"
@@ -86,7 +100,7 @@ timing=()
 expect 0 morph "$DATA/icons/heart.svg" "$DATA/icons/star.svg" -o player.html --quiet
 expect 0 morph "$DATA/icons/heart.svg" "$DATA/icons/star.svg" --at 0.37 -o - --quiet
 ours=$(grep -o '"d": "[^"]*"' <<<"$out" | head -1)
-theirs=$(browse --dump-dom "file://$work/player.html#s=0.37" | grep -o '<path class="fill" id="fill"[^>]* d="[^"]*"' | sed 's/.* d=/d=/')
+theirs=$(browse --dump-dom "file://$work/player.html#s=0.37" | grep -o '<g id="shape"><path class="layer" d="[^"]*"' | sed 's/.* d=/d=/')
 that "the player's in-between" same_numbers "$ours" "$theirs"
 that "another in-between is another" other_numbers "$ours" "${theirs/M/M1}"
 

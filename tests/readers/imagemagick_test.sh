@@ -38,6 +38,20 @@ same_picture gif.png gif.ours.png
 that "pixel by pixel" test "$(compare -metric AE -fuzz 1% gif.png gif.ours.png null: 2>&1)" == 0
 other_picture gif.png gif.ours.png
 
+# In colours: frames of one colour have all their shades, those of two sixteen of each.
+styled_shapes
+for pair in 'red.svg blue.svg' 'ring.svg both.svg'; do
+  read -ra shapes <<<"$pair"
+  our_sheet colors "${positions[@]}" -- "${shapes[@]}"
+  expect 0 morph "${shapes[@]}" -o colors.gif --easing ease-in --play once --frames 6 --size "$size" --quiet
+  rm -rf frames && mkdir frames
+  mogrify -coalesce -format png -path frames colors.gif || fail "the frames cannot be taken apart"
+  montage frames/colors-*.png -geometry +0+0 -tile 6x1 colors.png
+  same_picture colors.png colors.ours.png
+done
+other_picture colors.png colors.ours.png
+shapes=("$DATA/icons/cat.svg" "$DATA/icons/bird.svg")
+
 # PNG: what another renderer makes of our still SVG.
 if command -v rsvg-convert >/dev/null; then
   for at in 0 0.37 1.2; do
@@ -45,6 +59,13 @@ if command -v rsvg-convert >/dev/null; then
     expect 0 morph "${shapes[@]}" -o still.png --at "$at" --size 300 --quiet
     read -r width height < <(identify -format '%w %h\n' still.png)
     rsvg-convert -w "$width" -h "$height" still.svg -o rsvg.png
+    mogrify -background white -alpha remove still.png rsvg.png
+    same_picture rsvg.png still.png
+  done
+  for at in 0 0.37 1; do
+    expect 0 morph ring.svg both.svg -o still.svg --at "$at" --quiet
+    expect 0 morph ring.svg both.svg -o still.png --at "$at" --size 300 --quiet
+    rsvg-convert -w 300 -h 300 still.svg -o rsvg.png
     mogrify -background white -alpha remove still.png rsvg.png
     same_picture rsvg.png still.png
   done

@@ -17,6 +17,18 @@ need_imagemagick() {
   done
 }
 
+# styled_shapes: drawings as icon sets have them: an outline, another one with other contours, two colours of which one is
+# see-through, and one that is filled and stroked.
+styled_shapes() {
+  local outline='fill="none" stroke="currentColor" stroke-width="2" stroke-linecap="round" stroke-linejoin="round"'
+  svg_of() { echo "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 24 24\" $2>$3</svg>" >"$1"; }
+  svg_of ring.svg "$outline" '<circle cx="12" cy="12" r="9"/><path d="M12 7V12L15 14"/>'
+  svg_of zigzag.svg "$outline" '<path d="M3 12L8 4L16 20L21 12"/>'
+  svg_of red.svg '' '<path fill="#dd2e44" d="M4 4H20V20H4Z"/>'
+  svg_of blue.svg 'fill="none"' '<g style="fill: rgb(59 136 195 / 60%)"><path d="M12 3L22 20H2Z"/></g>'
+  svg_of both.svg '' '<path fill="gold" stroke="#226699" stroke-width="1.5" d="M5 6H19L12 21Z"/>'
+}
+
 # eased X1,Y1,X2,Y2[;...] TIME TIMES: s at that time of 2 seconds, when keys stand at TIMES (0,0.5,1) and every step has
 # its own easing, or all have one.
 eased() {

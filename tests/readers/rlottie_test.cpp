@@ -1,16 +1,21 @@
 #include <gtest/gtest.h>
 #include <rlottie.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <string>
 #include <vector>
 
 #include "io/morphs.h"
+#include "io/painter.h"
 #include "io/raster.h"
 #include "io/timeline.h"
 #include "tandem/io/load.h"
 #include "tandem/io/lottie.h"
+#include "tandem/io/svg.h"
 
 /// What rlottie draws of our Lottie files, frame by frame, against our own pictures of the same moments.
 namespace tandem {
@@ -75,6 +80,75 @@ void expect_the_same(const std::vector<std::string>& names, const AnimationOptio
     farthest = std::max(farthest, difference(played.frames[i], first));
   }
   EXPECT_GT(farthest, 3 * kAlike);  // it moves, and the comparison notices
+}
+
+/// Largest of the mean differences of red, green, blue and opacity.
+double difference(const std::vector<std::uint32_t>& pixels, const Painting& painting) {
+  std::array<double, 4> sums{};
+  for (std::size_t i = 0; i < pixels.size(); ++i) {
+    const double line = painting.two_paints() ? painting.line.coverage[i] / 255.0 : 0.0;
+    const std::array<double, 4> pixel = pixel_of(painting, painting.area.coverage[i] / 255.0, line);
+    for (std::size_t k = 0; k < 4; ++k) {
+      const double wanted = k < 3 ? pixel[k] * pixel[3] : pixel[3];  // rlottie's are premultiplied
+      const unsigned shift = k < 3 ? 16U - 8U * static_cast<unsigned>(k) : 24U;
+      sums[k] += std::fabs(((pixels[i] >> shift) & 0xFFU) / 255.0 - wanted);
+    }
+  }
+  return *std::max_element(sums.begin(), sums.end()) / static_cast<double>(pixels.size());
+}
+
+void expect_the_look(const std::vector<Drawing>& drawings, const AnimationOptions& options) {
+  std::vector<Shape> keys;
+  for (const Drawing& drawing : drawings) keys.push_back(drawing.shape);
+  const Look look = look_of(drawings);
+  const PathMorph morph = test::path_morph(keys);
+  const Played played = play(format_lottie(morph, "look", options, kSize, look));
+  const View view = view_of(look, morph.box());
+  const Canvas canvas = canvas_of(view, kSize);
+  ASSERT_EQ(played.width, canvas.width);
+  const Painter painter(morph, look, view, canvas);
+  const KeyFrames frames = key_frames(morph);
+  const std::vector<TimelineStep> steps = loop_timeline(frames, options);
+  const Painting first = painter.draw(0.0, morph.at(0.0));
+  const std::size_t count = played.frames.size();
+  ASSERT_EQ(count, static_cast<std::size_t>(loop_seconds(options) * 60));
+  double farthest = 0.0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double s = played_at(frames, steps, static_cast<double>(i) / static_cast<double>(count));
+    EXPECT_LE(difference(played.frames[i], painter.draw(s, morph.at(s))), kAlike) << "frame " << i;
+    farthest = std::max(farthest, difference(played.frames[i], first));
+  }
+  EXPECT_GT(farthest, 3 * kAlike);
+}
+
+Drawing drawing(const std::string& attributes, const std::string& d) {
+  const std::string path = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 24 24\"><path " +
+                           attributes + " d=\"" + d + "\"/></svg>";
+  const SvgElement element = parse_svg(path).front();
+  return {element.shape, element.style, ViewBox{0, 0, 24, 24}, false};
+}
+
+const std::string kOutline =
+    "fill='none' stroke='currentColor' stroke-width='2' stroke-linecap='round' stroke-linejoin='round'";
+
+TEST(Rlottie, KeepsOutlines) {
+  expect_the_look({drawing(kOutline, "M4 6H20M4 12H20"), drawing(kOutline, "M6 6L18 18M6 18L18 6")},
+                  {.duration = 0.5});
+  expect_the_look({drawing(kOutline, "M4 6H20V12H9Z"), drawing(kOutline, "M6 6L18 18L9 20Z")},
+                  {.duration = 0.5});
+}
+
+TEST(Rlottie, MixesColors) {
+  expect_the_look(
+      {drawing("fill='#dd2e44'", "M4 4H20V20H4Z"), drawing("fill='rgb(59 136 195 / 60%)'", "M12 3L22 20H2Z")},
+      {.duration = 0.5, .easing = "ease-in-out"});
+}
+
+TEST(Rlottie, FadesFillsAndWidensLines) {
+  expect_the_look({drawing(kOutline, "M4 4H20V20H4Z"),
+                   drawing("fill='gold' stroke='#226699' stroke-width='3'", "M5 6H19L12 21Z"),
+                   drawing("fill='#dd2e44'", "M12 3L22 20H2Z")},
+                  {.duration = 0.5});
 }
 
 std::string icon(const char* name) {

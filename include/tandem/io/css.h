@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "tandem/io/animation.h"
+#include "tandem/io/look.h"
 #include "tandem/morph/path_morph.h"
 #include "tandem/tandem_io_export.h"
 
@@ -26,14 +27,17 @@ struct CssOptions {
   int size = 512;  ///< clip_path: pixels of the longer side
 };
 
-/// A style sheet whose class `name` runs through the morph. `d`: closed contours are filled; open ones, if
-/// there are any, are stroked by the class NAME-stroke, for a second <path>; a turning frame becomes a
-/// `transform`. clip_path: a turn is baked into frames. Who prefers reduced motion sees the last key at rest.
+/// A style sheet whose class `name` runs through the morph. `d`: without styles closed contours are filled;
+/// open ones, if there are any, are stroked by the class NAME-stroke, for a second <path>; with styles all
+/// contours are drawn by NAME, unless some grow from points while they are stroked: those are NAME-growing.
+/// The first line of the sheet says which paths it is for. A turning frame becomes a `transform`. clip_path
+/// knows no lines: what contours enclose is shown, in the colour of the fill, or else of the lines; a turn is
+/// baked into frames. Who prefers reduced motion sees the last key at rest.
 /// @throws InvalidArgument a duration, easing, name or size that cannot be; clip_path and an open contour,
 /// which encloses nothing
 [[nodiscard]] TANDEM_IO_EXPORT std::string format_css(const PathMorph& morph,
                                                       const AnimationOptions& animation = {},
-                                                      const CssOptions& options = {});
+                                                      const CssOptions& options = {}, const Look& look = {});
 
 }  // namespace v0
 }  // namespace tandem

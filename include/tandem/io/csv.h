@@ -28,6 +28,7 @@ struct CsvTable {
   /// Names of the time column and of the values, as the header has them; "t", "x1", "x2", ... without one.
   std::vector<std::string> columns;
   std::size_t rows = 0;
+  bool named = false;  ///< there is a header
 };
 
 /// As parse_csv().

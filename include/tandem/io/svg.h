@@ -1,11 +1,12 @@
 #pragma once
 
-#include <span>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "tandem/io/animation.h"
+#include "tandem/io/look.h"
 #include "tandem/morph/path_morph.h"
 #include "tandem/shape/shape.h"
 #include "tandem/tandem_io_export.h"
@@ -18,13 +19,15 @@ inline namespace v0 {
 struct SvgElement {
   std::string id;  ///< empty without one
   Shape shape;
+  /// With what it inherits; nothing when it is neither filled nor stroked.
+  std::optional<Style> style;
 };
 
 /// All drawables in document order. Nested groups, `transform`, nested <svg> and `viewBox`, <use> of them,
 /// `fill-rule` and `fill="none"` (attribute, style or style sheet) are honoured; what is not drawn (defs,
 /// symbol, clipPath, mask, marker, pattern; display none, visibility hidden) is left out unless used, and so
-/// is what has neither fill nor stroke beside something that has. Outlines are whole: clipping, masks, stroke
-/// widths, markers and opacity do not count. Coordinates are the user units of the outermost <svg>: its
+/// is what has neither fill nor stroke beside something that has. Outlines are whole: clipping, masks, dashes
+/// and markers do not count. Coordinates are the user units of the outermost <svg>: its
 /// width, height and preserveAspectRatio are not applied. Percentages need its viewBox, or a width and
 /// height.
 /// @throws ParseError malformed XML or attribute, or no drawable at all
@@ -42,15 +45,16 @@ struct SvgElement {
 [[nodiscard]] TANDEM_IO_EXPORT std::string format_svg(const Shape& shape);
 
 /// An animated SVG (SMIL `animate` of `d`) that runs through the morph. Closed contours are filled, open ones
-/// stroked. Who prefers reduced motion sees the last key at rest. @throws InvalidArgument duration <= 0, or
-/// no such easing
+/// stroked, unless `look` says otherwise. Who prefers reduced motion sees the last key at rest.
+/// @throws InvalidArgument duration <= 0, or no such easing; another number of styles than of keys
 [[nodiscard]] TANDEM_IO_EXPORT std::string format_animated_svg(const PathMorph& morph,
-                                                               const AnimationOptions& options = {});
+                                                               const AnimationOptions& options = {},
+                                                               const Look& look = {});
 
 /// One still frame; all frames with s in [0,1] have the same viewBox, beyond it grows to hold the frame.
 /// precision: as AnimationOptions::precision.
 [[nodiscard]] TANDEM_IO_EXPORT std::string format_frame_svg(const PathMorph& morph, double s,
-                                                            int precision = -1);
+                                                            int precision = -1, const Look& look = {});
 
 /// The keys as one <path> each, laid over each other half transparent, with the ids a to z as far as they go:
 /// path data as of format_key_paths().
@@ -61,7 +65,8 @@ struct SvgElement {
 /// @throws InvalidArgument duration <= 0, or no such easing
 [[nodiscard]] TANDEM_IO_EXPORT std::string format_html_player(const PathMorph& morph,
                                                               const std::string& title,
-                                                              const AnimationOptions& options = {});
+                                                              const AnimationOptions& options = {},
+                                                              const Look& look = {});
 
 }  // namespace v0
 }  // namespace tandem

@@ -56,7 +56,8 @@ struct MorphStep {
 /// of the two steps that meet there, weighted as in a parabola through three keys. On the way from key to key
 /// the step's own blend is bent by cubic Hermite functions to meet those, and so is the pose of the frame.
 /// Where that would make in-betweens cross or fold that did not, collapse or turn inside out, outlines pass
-/// the key at a half or a quarter of that speed, or rest on it (pace()).
+/// the key at a half or a quarter of that speed, or rest on it (pace()). When the last key is the first one
+/// again, with its joints where they were, the two are passed as one.
 ///
 /// The keys are redrawn exactly where they are polynomial of degree <= 3, within `tolerance` of their
 /// diagonal otherwise; all with the same segments. ClosedMode::yes closes their open contours by lines.
