@@ -1,73 +1,47 @@
 // Skins and solids, matching included.
 #include <benchmark/benchmark.h>
 
-#include <cmath>
-#include <random>
+#include <utility>
 #include <vector>
 
+#include "bell_sections.h"
+#include "tandem/surface/loft.h"
 #include "tandem/surface/skin.h"
 #include "tandem/surface/solid.h"
 
-namespace tandem {
+namespace tandem::bench {
 namespace {
-
-constexpr double kPi = 3.14159265358979;
-
-/// A section of `n` control points in the plane z; each section has its own shape, seam and speed.
-Curve section(unsigned seed, std::size_t n, double z, bool closed) {
-  std::mt19937 random(seed);
-  const auto uniform = [&](double lo, double hi) { return lo + (hi - lo) * (random() / 4294967296.0); };
-  const double bump = uniform(0.2, 0.8);
-  const double start = uniform(0.0, 1.0);
-  Points points(3, closed ? n + 3 : n);
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const double x = static_cast<double>(i % n) / static_cast<double>(closed ? n : n - 1);
-    const double at = closed ? x + start : x;
-    const double height = std::exp(-60.0 * (1.0 - std::cos(2.0 * kPi * (at - bump))) / 4.0);
-    points[i][0] = closed ? (2.0 + height) * std::cos(2.0 * kPi * at) : 10.0 * x;
-    points[i][1] = closed ? (2.0 + height) * std::sin(2.0 * kPi * at) : 2.0 * height;
-    points[i][2] = z;
-  }
-  if (!closed) return Curve::clamped_uniform(3, std::move(points));
-  std::vector<double> knots;
-  for (std::size_t k = 0; k < n + 7; ++k) knots.push_back(static_cast<double>(k));
-  return Curve(3, std::move(knots), std::move(points));
-}
-
-std::vector<Curve> sections(std::size_t count, std::size_t n, bool closed) {
-  std::vector<Curve> made;
-  for (std::size_t k = 0; k < count; ++k) {
-    made.push_back(section(static_cast<unsigned>(k + 1), n, static_cast<double>(k), closed));
-  }
-  return made;
-}
 
 // Ten sections of 50 control points: at most 100 ms.
 void BM_Skin(benchmark::State& state) {
-  const std::vector<Curve> given = sections(10, 50, state.range(0) != 0);
+  const std::vector<Curve> given = bell_sections(10, 50, state.range(0) != 0);
   for (auto _ : state) benchmark::DoNotOptimize(skin(given));
 }
-BENCHMARK(BM_Skin)->ArgName("closed")->Arg(0)->Arg(1)->Unit(benchmark::kMillisecond);
+BENCHMARK(BM_Skin)->Name("skin")->ArgName("closed")->Arg(0)->Arg(1)->MeasureProcessCPUTime()->Unit(
+    benchmark::kMillisecond);
 
 void BM_SkinJointly(benchmark::State& state) {
-  const std::vector<Curve> given = sections(10, 50, false);
+  const std::vector<Curve> given = bell_sections(10, 50, false);
   for (auto _ : state) benchmark::DoNotOptimize(skin(given, {.matching = SkinMatching::joint}));
 }
-BENCHMARK(BM_SkinJointly)->Unit(benchmark::kMillisecond);
+BENCHMARK(BM_SkinJointly)->Name("skin_jointly")->MeasureProcessCPUTime()->Unit(benchmark::kMillisecond);
 
 // What is left when the sections are in step: interpolation alone.
 void BM_Loft(benchmark::State& state) {
-  const std::vector<Curve> given = skin(sections(10, 50, false)).sections;
+  const std::vector<Curve> given = skin(bell_sections(10, 50, false)).sections;
   for (auto _ : state) benchmark::DoNotOptimize(loft(given));
 }
-BENCHMARK(BM_Loft)->Unit(benchmark::kMillisecond);
+BENCHMARK(BM_Loft)->Name("loft")->MeasureProcessCPUTime()->Unit(benchmark::kMillisecond);
 
 void BM_ContoursToSolid(benchmark::State& state) {
   std::vector<std::vector<Curve>> levels;
-  for (Curve& curve : sections(10, 50, true)) levels.push_back({std::move(curve)});
+  for (Curve& curve : bell_sections(10, 50, true)) levels.push_back({std::move(curve)});
   for (auto _ : state) benchmark::DoNotOptimize(contours_to_solid(levels));
 }
-BENCHMARK(BM_ContoursToSolid)->Unit(benchmark::kMillisecond);
+BENCHMARK(BM_ContoursToSolid)
+    ->Name("contours_to_solid")
+    ->MeasureProcessCPUTime()
+    ->Unit(benchmark::kMillisecond);
 
 }  // namespace
-}  // namespace tandem
+}  // namespace tandem::bench

@@ -20,6 +20,10 @@ namespace {
 // Pieces of one contour at most: more are lumps that nobody follows, and the search for cuts gets slow.
 constexpr std::size_t kMostPieces = 6;
 
+// Pieces go to where they belong rather than be cut by the shortest chords: what moves across others on the
+// way is seen, a chord is not.
+constexpr double kCenterWeight = 6.0;
+
 struct Extent {
   Vec2 lo;
   Vec2 hi;
@@ -116,8 +120,8 @@ class Sharing {
         parts.push_back({few_[i], i});
         continue;
       }
-      std::vector<CutPiece> pieces =
-          cut_contour(few_[i], targets_of(i, groups[i]), holes_of(i), {.outlines = true});
+      std::vector<CutPiece> pieces = cut_contour(few_[i], targets_of(i, groups[i]), holes_of(i),
+                                                 {.center_weight = kCenterWeight, .outlines = true});
       if (std::any_of(pieces.begin(), pieces.end(), shows_chord)) pieces.clear();
       any = any || !pieces.empty();
       if (pieces.empty()) parts.push_back({few_[i], i});

@@ -5,6 +5,7 @@
 
 #include "curve/scratch.h"
 #include "morph/measures.h"
+#include "tandem/shape/transform.h"
 
 namespace tandem {
 inline namespace v0 {
@@ -33,6 +34,137 @@ std::vector<double> edge_shares(const CubicPath& path) {
   }
   return shares;
 }
+
+/// An implicit step of the flow: solves (M + time K) q = M p, tridiagonal, with corners where the path is
+/// closed (Sherman and Morrison). The matrix is factored once, from both ends towards the middle: two chains
+/// of half the length, at which a processor works at once.
+class HeatFlow {
+ public:
+  static constexpr std::size_t kRoom = 4;  ///< doubles per point
+
+  /// conductance: per edge. mass: per point, at least three. room: must outlive it.
+  HeatFlow(std::span<const double> conductance, std::span<const double> mass, bool closed, double time,
+           double* room)
+      : n_(mass.size()),
+        middle_(n_ / 2),
+        closed_(closed),
+        mass_(room),
+        in_(mass_ + n_),
+        out_(in_ + n_),
+        corner_(out_ + n_) {
+    const auto link = [&](std::size_t i) { return time * conductance[i]; };  // point i to i + 1
+    const auto add_row = [&](std::size_t i) {
+      if (!closed && (i == 0 || i == n_ - 1)) return set_row(i, {1.0, 1.0, 0.0, 0.0, 0.0});  // the ends stay
+      const double before = link(i > 0 ? i - 1 : n_ - 1);
+      const double after = link(i);
+      Row row{mass[i], mass[i] + before + after, -before, -after, 0.0};
+      if (i == 0) {
+        wrap_ = before / row.diagonal;
+        row.corner = -row.diagonal;
+        row.diagonal += row.diagonal;
+      } else if (i == n_ - 1) {
+        row.corner = -after;
+        row.diagonal += after * wrap_;
+      }
+      set_row(i, row);
+    };
+    for (std::size_t k = 0; k + middle_ + 1 < n_; ++k) {
+      add_row(k);
+      add_row(n_ - 1 - k);
+    }
+    if (n_ % 2 == 0) add_row(middle_ - 1);
+    add_row(middle_);
+    if (!closed) return;
+    for (std::size_t k = 1; k <= middle_; ++k) {
+      corner_[middle_ - k] -= out_[middle_ - k] * corner_[middle_ - k + 1];
+      if (middle_ + k < n_) corner_[middle_ + k] -= out_[middle_ + k] * corner_[middle_ + k - 1];
+    }
+    denominator_ = 1.0 + corner_[0] + wrap_ * corner_[n_ - 1];
+  }
+
+  void flow(double* p) const {
+    inwards(p);
+    outwards(p);
+    if (!closed_) return;
+    const double along_x = (p[0] + wrap_ * p[2 * n_ - 2]) / denominator_;
+    const double along_y = (p[1] + wrap_ * p[2 * n_ - 1]) / denominator_;
+    for (std::size_t i = 0; i < n_; ++i) {
+      p[2 * i] -= along_x * corner_[i];
+      p[2 * i + 1] -= along_y * corner_[i];
+    }
+  }
+
+ private:
+  struct Row {
+    double mass;
+    double diagonal;
+    double before;
+    double after;
+    double corner;  ///< of the column that closes the loop
+  };
+
+  /// Eliminates the neighbour towards the end, which must be set; both neighbours of the middle.
+  void set_row(std::size_t i, const Row& row) {
+    double pivot = row.diagonal;
+    double corner = row.corner;
+    if (i > 0 && i <= middle_) {
+      pivot -= row.before * out_[i - 1];
+      corner -= row.before * corner_[i - 1];
+    }
+    if (i + 1 < n_ && i >= middle_) {
+      pivot -= row.after * out_[i + 1];
+      corner -= row.after * corner_[i + 1];
+    }
+    const double inverse = 1.0 / pivot;
+    mass_[i] = row.mass * inverse;
+    in_[i] = (i <= middle_ ? row.before : row.after) * inverse;
+    out_[i] = (i <= middle_ ? row.after : row.before) * inverse;
+    corner_[i] = corner * inverse;
+  }
+
+  void inwards(double* p) const {
+    Vec2 head{};
+    Vec2 tail{};
+    const auto pass = [&](std::size_t i, Vec2& before) {
+      before = {mass_[i] * p[2 * i] - in_[i] * before.x, mass_[i] * p[2 * i + 1] - in_[i] * before.y};
+      p[2 * i] = before.x;
+      p[2 * i + 1] = before.y;
+    };
+    for (std::size_t k = 0; k + middle_ + 1 < n_; ++k) {
+      pass(k, head);
+      pass(n_ - 1 - k, tail);
+    }
+    if (n_ % 2 == 0) pass(middle_ - 1, head);
+    pass(middle_, head);
+    p[2 * middle_] -= out_[middle_] * tail.x;
+    p[2 * middle_ + 1] -= out_[middle_] * tail.y;
+  }
+
+  void outwards(double* p) const {
+    Vec2 head{p[2 * middle_], p[2 * middle_ + 1]};
+    Vec2 tail = head;
+    const auto pass = [&](std::size_t i, Vec2& before) {
+      before = {p[2 * i] - out_[i] * before.x, p[2 * i + 1] - out_[i] * before.y};
+      p[2 * i] = before.x;
+      p[2 * i + 1] = before.y;
+    };
+    for (std::size_t k = 1; middle_ + k < n_; ++k) {
+      pass(middle_ - k, head);
+      pass(middle_ + k, tail);
+    }
+    if (n_ % 2 == 0) pass(0, head);
+  }
+
+  std::size_t n_;
+  std::size_t middle_;
+  bool closed_;
+  double wrap_ = 0.0;  ///< share of the last point in the rank-one term
+  double denominator_ = 1.0;
+  double* mass_;  ///< by the pivots, as the next three
+  double* in_;    ///< to the neighbour towards the end; of the middle, to the one before it
+  double* out_;   ///< to the neighbour towards the middle; of the middle, to the one after it
+  double* corner_;
+};
 
 }  // namespace
 
@@ -80,68 +212,11 @@ void Detour::apply(double width, std::span<double> points) const {
   }
 }
 
-// Implicit steps of the same time: each solves (M + time K) q = M p, tridiagonal, with corners where the path
-// is closed (Sherman and Morrison). The matrix is factored once.
 void Detour::flow(double time, int steps, std::span<double> points) const {
-  const std::size_t n = mass_.size();
-  Scratch<4 * kOnStack> scratch(4 * n);
-  double* const upper = scratch.data();  // by the pivots, as the next two
-  double* const lower = upper + n;
-  double* const mass = lower + n;
-  double* const corner = mass + n;                                          // the column that closes the loop
-  const auto link = [&](std::size_t i) { return time * conductance_[i]; };  // point i to i + 1
-  const bool pinned = !closed_;                                             // the ends stay
-  const auto is_pinned = [&](std::size_t i) { return pinned && (i == 0 || i == n - 1); };
-  const auto below = [&](std::size_t i) { return is_pinned(i) ? 0.0 : -link(i - 1); };  // (i, i - 1)
-  const auto above = [&](std::size_t i) { return is_pinned(i) ? 0.0 : -link(i); };      // (i, i + 1)
-  const auto diagonal = [&](std::size_t i) {
-    if (is_pinned(i)) return 1.0;
-    return mass_[i] + link(i > 0 ? i - 1 : n - 1) + link(i + 1 < n ? i : n - 1);
-  };
-  const double wrap = closed_ ? -link(n - 1) : 0.0;
-  const double gamma = closed_ ? -diagonal(0) : 1.0;
-  for (std::size_t i = 0; i < n; ++i) {
-    double pivot = diagonal(i);
-    double column = 0.0;
-    if (closed_ && i == 0) {
-      pivot -= gamma;
-      column = gamma;
-    }
-    if (closed_ && i == n - 1) {
-      pivot -= wrap * wrap / gamma;
-      column = wrap;
-    }
-    if (i > 0) pivot -= below(i) * upper[i - 1];
-    const double inverse = 1.0 / pivot;
-    upper[i] = i + 1 < n ? above(i) * inverse : 0.0;
-    lower[i] = i > 0 ? below(i) * inverse : 0.0;
-    mass[i] = (is_pinned(i) ? 1.0 : mass_[i]) * inverse;
-    corner[i] = column * inverse - (i > 0 ? lower[i] * corner[i - 1] : 0.0);
-  }
-  for (std::size_t i = n - 1; i-- > 0;) corner[i] -= upper[i] * corner[i + 1];
-  const double share = wrap / gamma;
-  const double denominator = 1.0 + corner[0] + share * corner[n - 1];
-  double* const p = points.data();
-  for (int step = 0; step < steps; ++step) {
-    double x = 0.0;
-    double y = 0.0;
-    for (std::size_t i = 0; i < n; ++i) {
-      x = p[2 * i] = mass[i] * p[2 * i] - lower[i] * x;
-      y = p[2 * i + 1] = mass[i] * p[2 * i + 1] - lower[i] * y;
-    }
-    for (std::size_t i = n - 1; i-- > 0;) {
-      p[2 * i] -= upper[i] * p[2 * i + 2];
-      p[2 * i + 1] -= upper[i] * p[2 * i + 3];
-    }
-    if (!closed_) continue;
-    const double along_x = (p[0] + share * p[2 * n - 2]) / denominator;
-    const double along_y = (p[1] + share * p[2 * n - 1]) / denominator;
-    for (std::size_t i = 0; i < n; ++i) {
-      p[2 * i] -= along_x * corner[i];
-      p[2 * i + 1] -= along_y * corner[i];
-    }
-  }
-  if (closed_) std::copy_n(p, 2, p + 2 * n);
+  Scratch<HeatFlow::kRoom * kOnStack> room(HeatFlow::kRoom * mass_.size());
+  const HeatFlow heat(conductance_, mass_, closed_, time, room.data());
+  for (int step = 0; step < steps; ++step) heat.flow(points.data());
+  if (closed_) std::copy_n(points.begin(), 2, points.end() - 2);
 }
 
 // Handles on both sides of a smooth joint back into one line, at their lengths.

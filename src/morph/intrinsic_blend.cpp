@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "curve/scratch.h"
+#include "shape/plane.h"
 #include "shape/trigonometry.h"
 #include "tandem/curve/points.h"
 
@@ -17,11 +18,11 @@ namespace {
 // Every edge gives a little, as a share of the mean length: otherwise edges of equal length would have to
 // bear what does not close.
 constexpr double kLeastGive = 0.02;
-// Newton steps towards a closed polygon: it converges quadratically, 4 to 6 are usual.
+// Steps towards a closed polygon: they converge cubically, 2 to 4 are usual.
 constexpr int kMostSteps = 20;
 constexpr double kClosed = 1e-13;  // of the perimeter
-// From here on the next step squares the gap to below kClosed.
-constexpr double kNearlyClosed = 1e-7;
+// A step this small is the last: what it leaves open is of the size of its cube.
+constexpr double kLastStep = 1e-5;
 // Edges up to which nothing is allocated: 200 segments.
 constexpr std::size_t kOnStack = 600;
 
@@ -119,6 +120,55 @@ void center_of(const Points& p, std::size_t edges, const Length& length, double*
   center[1] = whole > 0.0 ? y / whole : p[0][1];
 }
 
+/// What a step towards a closed polygon is made of: sums over edges of their lengths times their directions,
+/// once, twice and three times, with one `give` less each.
+class ClosingSums {
+ public:
+  void add(Vec2 d, double length, double give) {
+    const double lx = length * d.x;
+    const double ly = length * d.y;
+    const double kx = give * lx;
+    const double ky = give * ly;
+    const double xx = kx * d.x;
+    const double xy = kx * d.y;
+    const double yy = ky * d.y;
+    gap_.x += lx;
+    gap_.y += ly;
+    xx_ += xx;
+    xy_ += xy;
+    yy_ += yy;
+    xxx_ += give * xx * d.x;
+    xxy_ += give * xx * d.y;
+    xyy_ += give * yy * d.x;
+    yyy_ += give * yy * d.y;
+  }
+
+  [[nodiscard]] double gap_size() const { return std::sqrt(dot(gap_, gap_)); }
+  [[nodiscard]] double determinant() const { return xx_ * yy_ - xy_ * xy_; }
+  [[nodiscard]] Vec2 step() const {
+    const Vec2 newton = solve(gap_);
+    const double xx = newton.x * newton.x;
+    const double xy = 2.0 * newton.x * newton.y;
+    const double yy = newton.y * newton.y;
+    const Vec2 more = solve({0.5 * (xx * xxx_ + xy * xxy_ + yy * xyy_),  //
+                             0.5 * (xx * xxy_ + xy * xyy_ + yy * yyy_)});
+    if (dot(more, more) > kMostCurved * dot(newton, newton)) return newton;
+    return {newton.x + more.x, newton.y + more.y};
+  }
+
+ private:
+  // Far from the end the second derivative leads astray: its share of the step, squared.
+  static constexpr double kMostCurved = 0.25;
+
+  [[nodiscard]] Vec2 solve(Vec2 v) const {
+    return {(yy_ * v.x - xy_ * v.y) / determinant(), (xx_ * v.y - xy_ * v.x) / determinant()};
+  }
+
+  Vec2 gap_{};
+  double xx_ = 0.0, xy_ = 0.0, yy_ = 0.0;
+  double xxx_ = 0.0, xxy_ = 0.0, xyy_ = 0.0, yyy_ = 0.0;
+};
+
 }  // namespace
 
 IntrinsicBlend::IntrinsicBlend(const CubicPath& a, const CubicPath& b)
@@ -152,6 +202,40 @@ IntrinsicBlend::IntrinsicBlend(const CubicPath& a, const CubicPath& b)
       b.control_points(), edges_.size(), [&](std::size_t i) { return of_b[i].length; }, center_b_);
 }
 
+double IntrinsicBlend::Edge::length_at(double s) const {
+  return std::max(0.0, (1.0 - s) * length_a + s * length_b);
+}
+
+// Chebyshev's method: Newton's, and what the second derivative adds where that is less.
+void IntrinsicBlend::close(double s, std::span<const double> directions, std::span<double> lengths,
+                           std::span<const double> gives) const {
+  const std::size_t n = lengths.size();
+  const double* const p = directions.data();
+  const double whole = std::accumulate(lengths.begin(), lengths.end(), 0.0);
+  Vec2 at{};
+  for (int step = 0; step < kMostSteps; ++step) {
+    ClosingSums sums;
+    for (std::size_t i = 0; i < n; ++i) sums.add({p[2 * i], p[2 * i + 1]}, lengths[i], gives[i]);
+    if (sums.gap_size() <= kClosed * whole) return;
+    if (!(sums.determinant() > 0.0)) return;
+    Vec2 way = sums.step();
+    const double size = std::sqrt(dot(way, way));
+    if (size <= kLastStep) {  // needs no exponentials
+      for (std::size_t i = 0; i < n; ++i) {
+        const double x = gives[i] * (way.x * p[2 * i] + way.y * p[2 * i + 1]);
+        lengths[i] *= 1.0 - x * (1.0 - x * (0.5 - x / 6.0));
+      }
+      return;
+    }
+    if (size > 1.0) way = {way.x / size, way.y / size};  // could overshoot where exponentials grow
+    at = {at.x + way.x, at.y + way.y};
+    for (std::size_t i = 0; i < n; ++i) {
+      const double x = gives[i] * (at.x * p[2 * i] + at.y * p[2 * i + 1]);
+      lengths[i] = edges_[i].length_at(s) * std::exp(std::clamp(-x, -30.0, 30.0));
+    }
+  }
+}
+
 void IntrinsicBlend::at(double s, std::span<double> points) const {
   const std::size_t n = edges_.size();
   // Until they are added up, point i + 1 holds the direction of edge i.
@@ -159,61 +243,14 @@ void IntrinsicBlend::at(double s, std::span<double> points) const {
   Scratch<2 * kOnStack> scratch(2 * n);
   double* const lengths = scratch.data();
   double* const gives = lengths + n;  // as shares of the lengths, bounded where a length vanishes
-  double whole = 0.0;
-  const auto length_at = [s](const Edge& e) {
-    return std::max(0.0, (1.0 - s) * e.length_a + s * e.length_b);
-  };
   for (std::size_t i = 0; i < n; ++i) {
     const CosSin direction = cos_sin_degrees(edges_[i].heading + s * edges_[i].turn);
     p[2 * i + 2] = direction.cosine;
     p[2 * i + 3] = direction.sine;
-    lengths[i] = length_at(edges_[i]);
+    lengths[i] = edges_[i].length_at(s);
     gives[i] = lengths[i] > 0.0 ? std::min(edges_[i].give / lengths[i], 8.0) : 0.0;
-    whole += lengths[i];
   }
-  double lambda = 0.0;
-  double mu = 0.0;
-  for (int step = 0; closed_ && step < kMostSteps; ++step) {
-    double gx = 0.0;
-    double gy = 0.0;
-    double xx = 0.0;
-    double xy = 0.0;
-    double yy = 0.0;
-    for (std::size_t i = 0; i < n; ++i) {
-      const double c = p[2 * i + 2];
-      const double d = p[2 * i + 3];
-      const double k = gives[i] * lengths[i];
-      gx += lengths[i] * c;
-      gy += lengths[i] * d;
-      xx += k * c * c;
-      xy += k * c * d;
-      yy += k * d * d;
-    }
-    const double gap = std::sqrt(gx * gx + gy * gy);
-    if (gap <= kClosed * whole) break;
-    const double det = xx * yy - xy * xy;
-    if (!(det > 0.0)) break;
-    double dx = (yy * gx - xy * gy) / det;
-    double dy = (xx * gy - xy * gx) / det;
-    if (gap <= kNearlyClosed * whole) {  // the last step needs no exponentials
-      for (std::size_t i = 0; i < n; ++i) {
-        const double x = gives[i] * (dx * p[2 * i + 2] + dy * p[2 * i + 3]);
-        lengths[i] *= 1.0 - x + 0.5 * x * x;
-      }
-      break;
-    }
-    const double size = std::sqrt(dx * dx + dy * dy);
-    if (size > 1.0) {  // a whole step could overshoot where exponentials grow
-      dx /= size;
-      dy /= size;
-    }
-    lambda += dx;
-    mu += dy;
-    for (std::size_t i = 0; i < n; ++i) {
-      const double x = gives[i] * (lambda * p[2 * i + 2] + mu * p[2 * i + 3]);
-      lengths[i] = length_at(edges_[i]) * std::exp(std::clamp(-x, -30.0, 30.0));
-    }
-  }
+  if (closed_) close(s, {p + 2, 2 * n}, {lengths, n}, {gives, n});
   double cx = 0.0;
   double cy = 0.0;
   double sum = 0.0;

@@ -27,7 +27,12 @@ class IntrinsicBlend final : public ContourBlend {
     double heading;  ///< degrees, in a
     double turn;     ///< degrees, from a to b
     double give;     ///< how willingly the length changes, as a length
+    [[nodiscard]] double length_at(double s) const;
   };
+  /// Makes the lengths close the polygon of edges of these directions. gives: shares of the lengths at s.
+  void close(double s, std::span<const double> directions, std::span<double> lengths,
+             std::span<const double> gives) const;
+
   std::vector<Edge> edges_;
   bool closed_;
   double center_a_[2];

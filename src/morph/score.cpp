@@ -42,6 +42,7 @@ constexpr double kAreaWeight = 1.0;
 constexpr double kLengthWeight = 1.0;
 constexpr double kTangentWeight = 0.6;
 constexpr double kTurnWeight = 2.0;  // of half a turn
+constexpr double kAsymmetryWeight = 3.0;
 // 1 - <T1, T2> of a contour that grows from a point, or shrinks to one: as of one that turns by 90 degrees.
 constexpr double kLoneTangent = 1.0;
 // Shapes whose tangents differ by less once they are turned are nearly one body, whose turn costs less.
@@ -155,10 +156,70 @@ double Judge::trouble_of_frame() {
   return trouble;
 }
 
-Score Judge::judge(const StepBlend& blend, const Score& limit) {
-  const std::vector<ContourEnds> ends = blend.ends_in_frame();
-  Score score{0, 0.0, 0.0};
-  const double difference = tangent_difference(ends);
+struct Judge::Reference {
+  explicit Reference(const StepBlend& blend) : ends(blend.ends_in_frame()) {
+    for (const ContourEnds& contour : ends) {
+      breaks.push_back(worse_breaks(contour));
+      joints += static_cast<double>(breaks.back().size());
+      const EndLengths drawn = lengths_at_ends(blend, breaks.size() - 1, contour);
+      first.length += drawn.first;
+      last.length += drawn.last;
+      if (!contour.a.is_closed()) continue;
+      first.area += signed_area(contour.a.control_points().data());
+      last.area += signed_area(contour.b.control_points().data());
+    }
+    first.area = std::fabs(first.area);
+    last.area = std::fabs(last.area);
+  }
+
+  std::vector<ContourEnds> ends;
+  std::vector<std::vector<double>> breaks;  ///< of the keys, by joint
+  double joints = 0.0;
+  Sums first;
+  Sums last;
+};
+
+// Of the in-between that was sampled last.
+void Judge::add_trouble(double s, Score& score) {
+  // What crosses in both keys already is no fault of the in-betweens.
+  const double own = (1.0 - s) * (*trouble_of_keys_)[0] + s * (*trouble_of_keys_)[1];
+  const double trouble = std::max(0.0, trouble_of_frame() - own);
+  if (trouble > 0.0) ++score.faults;
+  score.trouble += trouble;
+}
+
+// Of the same, what needs no look for crossings.
+// progress: StepBlend::progress() of it.
+void Judge::add_measures(const Reference& keys, double progress, Score& score) const {
+  Sums now;
+  double broken = 0.0;
+  for (std::size_t c = 0; c < points_.size(); ++c) {
+    now.length += path_length(points_[c]);
+    if (keys.ends[c].a.is_closed()) now.area += signed_area(points_[c]);
+    const std::size_t first_joint = keys.ends[c].a.is_closed() ? 0 : 3;
+    for (std::size_t k = 0; k < keys.breaks[c].size(); ++k) {
+      const double more = break_size(points_[c], first_joint + 3 * k) - keys.breaks[c][k];
+      if (more > kSeenBreak) broken += more;
+    }
+  }
+  const double length = now.length / ((1.0 - progress) * keys.first.length + progress * keys.last.length);
+  if (length < kLeastLength || length > kMostLength) ++score.faults;
+  const double wanted = (1.0 - progress) * keys.first.area + progress * keys.last.area;
+  if (wanted > 0.0) {
+    const double area = std::fabs(now.area) / wanted;
+    // A body that grows evenly is smaller on the way than the blend of its areas, rightly.
+    const double side = (1.0 - progress) * std::sqrt(keys.first.area) + progress * std::sqrt(keys.last.area);
+    if (area < std::min(kLeastArea, kEven * side * side / wanted)) ++score.faults;
+    score.blemish += kAreaWeight * std::fabs(area - 1.0) / kOrder.size();
+  }
+  score.blemish += kLengthWeight * std::fabs(length - 1.0) / kOrder.size();
+  if (keys.joints > 0.0) score.blemish += kBreakWeight * broken / std::sqrt(keys.joints) / kOrder.size();
+}
+
+Score Judge::judge(const StepBlend& blend, const Score& limit, double asymmetry) {
+  const Reference keys(blend);
+  Score score{0, 0.0, kAsymmetryWeight * asymmetry};
+  const double difference = tangent_difference(keys.ends);
   score.blemish += kTangentWeight * difference;
   // What is nothing but a turned copy turns for free.
   score.blemish += kTurnWeight * std::fabs(blend.degrees()) / 180.0 * std::min(1.0, difference / kUnlike);
@@ -168,54 +229,23 @@ Score Judge::judge(const StepBlend& blend, const Score& limit) {
     sample(blend, 1.0);
     trouble_of_keys_ = {of_first, trouble_of_frame()};
   }
-  std::vector<std::vector<double>> breaks;
-  Sums first;
-  Sums last;
-  double joints = 0.0;
-  for (const ContourEnds& contour : ends) {
-    breaks.push_back(worse_breaks(contour));
-    joints += static_cast<double>(breaks.back().size());
-    const EndLengths drawn = lengths_at_ends(blend, breaks.size() - 1, contour);
-    first.length += drawn.first;
-    last.length += drawn.last;
-    if (!contour.a.is_closed()) continue;
-    first.area += signed_area(contour.a.control_points().data());
-    last.area += signed_area(contour.b.control_points().data());
+  const auto is_beaten = [&] {
+    return score.faults > limit.faults || (score.faults == 0 && !score.better_than(limit));
+  };
+  // Where only what is free of faults can win, crossings, which take longest, are looked for last.
+  const bool measure_first = limit.faults == 0;
+  if (measure_first) {
+    for (const int part : kOrder) {
+      sample(blend, part / kParts);
+      add_measures(keys, blend.progress(part / kParts), score);
+      if (is_beaten()) return score;
+    }
   }
-  first.area = std::fabs(first.area);
-  last.area = std::fabs(last.area);
   for (const int part : kOrder) {
-    const double s = part / kParts;
-    sample(blend, s);
-    // What crosses in both keys already is no fault of the in-betweens.
-    const double own = (1.0 - s) * (*trouble_of_keys_)[0] + s * (*trouble_of_keys_)[1];
-    const double trouble = std::max(0.0, trouble_of_frame() - own);
-    if (trouble > 0.0) ++score.faults;
-    score.trouble += trouble;
-    Sums now;
-    double broken = 0.0;
-    for (std::size_t c = 0; c < points_.size(); ++c) {
-      now.length += path_length(points_[c]);
-      if (ends[c].a.is_closed()) now.area += signed_area(points_[c]);
-      const std::size_t first_joint = ends[c].a.is_closed() ? 0 : 3;
-      for (std::size_t k = 0; k < breaks[c].size(); ++k) {
-        const double more = break_size(points_[c], first_joint + 3 * k) - breaks[c][k];
-        if (more > kSeenBreak) broken += more;
-      }
-    }
-    const double length = now.length / ((1.0 - s) * first.length + s * last.length);
-    if (length < kLeastLength || length > kMostLength) ++score.faults;
-    const double wanted = (1.0 - s) * first.area + s * last.area;
-    if (wanted > 0.0) {
-      const double area = std::fabs(now.area) / wanted;
-      // A body that grows evenly is smaller on the way than the blend of its areas, rightly.
-      const double side = (1.0 - s) * std::sqrt(first.area) + s * std::sqrt(last.area);
-      if (area < std::min(kLeastArea, kEven * side * side / wanted)) ++score.faults;
-      score.blemish += kAreaWeight * std::fabs(area - 1.0) / kOrder.size();
-    }
-    score.blemish += kLengthWeight * std::fabs(length - 1.0) / kOrder.size();
-    if (joints > 0.0) score.blemish += kBreakWeight * broken / std::sqrt(joints) / kOrder.size();
-    if (score.faults > limit.faults || (score.faults == 0 && !score.better_than(limit))) return score;
+    sample(blend, part / kParts);
+    add_trouble(part / kParts, score);
+    if (!measure_first) add_measures(keys, blend.progress(part / kParts), score);
+    if (is_beaten()) return score;
   }
   if (leaves_too_fast(blend)) score.faults += static_cast<int>(kOrder.size());
   return score;

@@ -38,11 +38,16 @@ class Judge {
   /// diagonal: of the box of both keys.
   explicit Judge(double diagonal);
 
-  /// The score, as far as needed to know whether it beats `limit`.
-  [[nodiscard]] Score judge(const StepBlend& blend, const Score& limit);
+  /// The score, as far as needed to know whether it beats `limit`. asymmetry: StepCandidate::asymmetry
+  [[nodiscard]] Score judge(const StepBlend& blend, const Score& limit, double asymmetry = 0.0);
 
  private:
+  /// What the in-betweens are measured by.
+  struct Reference;
+
   [[nodiscard]] double trouble_of_frame();
+  void add_trouble(double s, Score& score);
+  void add_measures(const Reference& keys, double progress, Score& score) const;
   void sample(const StepBlend& blend, double s);
   [[nodiscard]] bool leaves_too_fast(const StepBlend& blend);
 

@@ -74,6 +74,18 @@ void StepBlend::set_outlines(std::size_t contour, const ContourEnds& drawn) {
   };
   c.off_first = off(drawn.a, c.ends.a);
   c.off_last = off(frame_.from_second(drawn.b), c.ends.b);
+  const auto any = [](const std::vector<double>& offsets) {
+    return std::any_of(offsets.begin(), offsets.end(), [](double x) { return x != 0.0; });
+  };
+  parts_first_ = parts_first_ || any(c.off_first);
+  parts_last_ = parts_last_ || any(c.off_last);
+}
+
+double StepBlend::progress(double s) const noexcept {
+  if (s <= 0.0 || s >= 1.0) return s;
+  if (parts_first_ && parts_last_) return s * s * (3.0 - 2.0 * s);
+  if (parts_first_) return s * s;
+  return parts_last_ ? s * (2.0 - s) : s;
 }
 
 bool StepBlend::is_linear() const noexcept {
@@ -84,14 +96,15 @@ bool StepBlend::is_linear() const noexcept {
 
 void StepBlend::at(double s, std::size_t contour, std::span<double> points) const {
   const Contour& c = contours_[contour];
-  c.blend->at(s, points);
+  const double done = progress(s);
+  c.blend->at(done, points);
   if (!c.off_first.empty()) {
     const double early = s < 0.0 ? 1.0 : power(std::max(0.0, 1.0 - s));
     const double late = s > 1.0 ? 1.0 : power(std::max(0.0, s));
     for (std::size_t i = 0; i < points.size(); ++i)
       points[i] += early * c.off_first[i] + late * c.off_last[i];
   }
-  frame_.place(s, points);
+  frame_.place(done, points);
   // Beyond the ends there is nothing to be avoided.
   if (c.detour.is_none() || s <= 0.0 || s >= 1.0) return;
   const double off = (2.0 * s - 1.0) * (2.0 * s - 1.0);

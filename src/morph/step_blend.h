@@ -61,6 +61,9 @@ class StepBlend {
   [[nodiscard]] bool has_outlines(std::size_t contour) const noexcept {
     return !contours_[contour].off_first.empty();
   }
+  /// How far the contours are at s. Pieces part late, when most of the way of their chords is done: a gap
+  /// opens where it stays.
+  [[nodiscard]] double progress(double s) const noexcept;
   /// By how much the frame turns.
   [[nodiscard]] double degrees() const noexcept { return frame_.degrees(); }
   [[nodiscard]] const ContourDetour& detour(std::size_t contour) const noexcept {
@@ -83,6 +86,8 @@ class StepBlend {
   PlanarFrame frame_;
   std::vector<Contour> contours_;
   bool gentle_ = false;
+  bool parts_first_ = false;  ///< whether pieces part from the first key on
+  bool parts_last_ = false;
 };
 
 }  // namespace detail

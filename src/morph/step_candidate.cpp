@@ -97,6 +97,7 @@ StepKeys::Key::Key(const StepKey& key)
   for (std::size_t i = 0; i < paths.size(); ++i) sources.push_back(i);
   outlines.resize(paths.size());
   for (const CubicPath& path : paths) curves.push_back(to_curve(path));
+  for (const Curve& curve : curves) mirrors.push_back(find_mirrors(curve));
   gyration = radius_of_gyration(paths, center);
 }
 
@@ -108,6 +109,7 @@ StepKeys::Key::Key(std::vector<KeyPart> parts, const Key& whole)
     sources.push_back(part.source);
     outlines.push_back(std::move(part.outline));
   }
+  for (const Curve& curve : curves) mirrors.push_back(find_mirrors(curve));
   nesting = find_nesting(paths, FillRule::nonzero);
 }
 
@@ -227,7 +229,8 @@ Rotation StepKeys::find_turn(const MatchOptions& options) const {
   return turn_by(known + common_rotation(first, second, own).degrees());
 }
 
-std::optional<StepCandidate> StepKeys::match(const Turned& turned, const MatchOptions& options) const {
+std::optional<StepCandidate> StepKeys::match(const Turned& turned, const MatchOptions& options,
+                                             bool mirror) const {
   StepCandidate candidate;
   const double scale = a_.gyration > 0.0 && b_.gyration > 0.0 ? b_.gyration / a_.gyration : 1.0;
   candidate.frame = PlanarFrame(a_.center, b_.center, turned.turn.degrees(), scale);
@@ -245,9 +248,15 @@ std::optional<StepCandidate> StepKeys::match(const Turned& turned, const MatchOp
     for (const Pin& pin : pins_) {
       if (pin.a == *pair.a) joints.pins.push_back(pin.at);
     }
+    const auto shared = mirror ? shared_mirror_of(pair, turned.turn) : std::nullopt;
+    if (shared) joints.pins.assign(shared->ends.begin(), shared->ends.end());
     own.pins = joints.pins;
     Match found = match_pair(*pair.a, *pair.b, own);
     if (found.report.cancelled) return std::nullopt;
+    if (shared) {
+      found.correspondence = mirrored(found.correspondence, Reflection(a_.curves[*pair.a], shared->ends[0].u),
+                                      Reflection(b_.curves[*pair.b], shared->ends[0].v));
+    }
     AlignedPaths aligned = own.method == Method::segments ? cut_in_step(a, b, found.correspondence)
                                                           : align(a, b, found.correspondence, joints);
     candidate.contours.push_back({a_.sources[*pair.a],
@@ -263,6 +272,7 @@ std::optional<StepCandidate> StepKeys::match(const Turned& turned, const MatchOp
       made.outline_b = cut_at(*outline, aligned.cuts_b, closed);
     }
   }
+  if (options.method == Method::elastic) add_asymmetry(candidate, turned);
   add_lonely(candidate, turned);
   return candidate;
 }

@@ -10,6 +10,7 @@
 #include "match/match_samples.h"
 #include "morph/contour_pairs.h"
 #include "morph/cut_keys.h"
+#include "morph/mirror.h"
 #include "morph/planar_frame.h"
 #include "morph/step_blend.h"
 #include "tandem/curve/curve.h"
@@ -37,6 +38,7 @@ struct FoundContour {
   std::optional<CubicPath> outline_a = {};
   std::optional<CubicPath> outline_b = {};
 
+  [[nodiscard]] bool is_piece() const noexcept { return outline_a || outline_b; }
   /// What is drawn at the ends.
   [[nodiscard]] ContourEnds drawn() const {
     return {outline_a ? *outline_a : ends.a, outline_b ? *outline_b : ends.b};
@@ -59,6 +61,9 @@ struct Turned {
 struct StepCandidate {
   PlanarFrame frame;
   std::vector<FoundContour> contours;
+  /// How far the correspondence is from its mirror image, in shares of the length, where contours are
+  /// mirror-symmetric about axes that are parallel; 0 where none are.
+  double asymmetry = 0.0;
 
   [[nodiscard]] std::vector<ContourEnds> ends() const;
   [[nodiscard]] StepBlend blend(BlendKind kind) const;
@@ -81,7 +86,11 @@ class StepKeys {
   /// The common turn of all contours, found from the longest ones first, which tell who becomes whom.
   [[nodiscard]] Rotation find_turn(const MatchOptions& options) const;
   /// Matches the pairs, each in the parameters of the paths, and aligns them; nothing when cancelled.
-  [[nodiscard]] std::optional<StepCandidate> match(const Turned& turned, const MatchOptions& options) const;
+  /// mirrored: contours with a common axis of symmetry axis on axis, one half as the other's mirror image.
+  [[nodiscard]] std::optional<StepCandidate> match(const Turned& turned, const MatchOptions& options,
+                                                   bool mirrored = false) const;
+  /// Whether a pair has an axis of symmetry in common under its turn.
+  [[nodiscard]] bool has_mirror(const Turned& turned) const;
 
  private:
   struct Key {
@@ -95,6 +104,7 @@ class StepKeys {
     std::vector<std::size_t> sources;  ///< whose piece each is, or itself
     std::vector<std::optional<CubicPath>> outlines;
     std::vector<Curve> curves;
+    std::vector<std::vector<Mirror>> mirrors;
     std::vector<NestedContour> nesting;
     Vec2 center;
     double gyration;  ///< radius of gyration about the centre
@@ -111,6 +121,10 @@ class StepKeys {
   [[nodiscard]] static bool can_share(const MatchOptions& options);
   [[nodiscard]] const MatchSamples& samples_of(std::size_t a, std::size_t b,
                                                const MatchOptions& options) const;
+  /// Nothing where options leave no choice.
+  [[nodiscard]] std::optional<SharedMirror> shared_mirror_of(const ContourPair& pair,
+                                                             const Rotation& turn) const;
+  void add_asymmetry(StepCandidate& candidate, const Turned& turned) const;
   /// match() of two contours.
   [[nodiscard]] Match match_pair(std::size_t a, std::size_t b, const MatchOptions& options) const;
 

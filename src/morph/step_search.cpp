@@ -22,6 +22,17 @@ namespace {
 constexpr double kLeastTurn = 0.5;
 // How many contours of the best candidates are sent on detours, all in all, when none is free of faults.
 constexpr std::size_t kDetours = 300;
+// Asymmetry, in shares of the length, that nobody sees.
+constexpr double kSymmetric = 0.004;
+// The same where only a turn by more than so many degrees is to be avoided, and what a detour is worth then,
+// in blemishes: any, and by its width, a share of the length.
+constexpr std::size_t kUprightDetours = 300;
+constexpr double kMuchTurned = 25.0;
+constexpr double kDear = 0.4;
+constexpr double kDetourBlemish = 0.15;
+constexpr double kWidthBlemish = 3.0;
+// One in-between of nineteen that crosses or folds is less to be seen than a turn, too.
+constexpr double kFaultBlemish = 0.4;
 // Where others are looked at to keep clear of them.
 constexpr double kMeetings[] = {0.5, 0.3, 0.7};
 // Widths of the smoothing, as shares of the length: each so much wider than the one before.
@@ -97,19 +108,60 @@ class StepSearch {
         judge_(keys_.diagonal()) {}
 
   std::optional<FoundStep> run() {
-    if (!try_all() || !try_cuts()) return std::nullopt;
+    if (!try_all() || !try_mirrored() || !try_cuts() || !try_mirrored()) return std::nullopt;
     const bool may_detour = blend_ == BlendKind::automatic || blend_ == BlendKind::detour;
-    if (may_detour && best_score_.faults > 0) {
-      std::stable_sort(entries_.begin(), entries_.end(),
-                       [](const Entry& x, const Entry& y) { return x.score.better_than(y.score); });
-      const std::size_t contours = candidates_.front().contours.size();
-      entries_.resize(std::min(entries_.size(), std::max<std::size_t>(kDetours / contours, 1)));
-      if (!keep_clear() || !smooth()) return std::nullopt;
-    }
+    if (may_detour && best_score_.faults > 0 && !make_detours(kDetours)) return std::nullopt;
+    if (may_detour && is_turned_for_nothing() && !stay_upright()) return std::nullopt;
     return std::move(best_);
   }
 
  private:
+  bool make_detours(std::size_t most) {
+    // Pieces that shrink or step aside leave a gap: what has none comes first.
+    const auto has_pieces = [&](const Entry& entry) {
+      const std::vector<FoundContour>& all = candidates_[entry.candidate].contours;
+      return std::any_of(all.begin(), all.end(), [](const FoundContour& c) { return c.is_piece(); });
+    };
+    std::stable_sort(entries_.begin(), entries_.end(), [&](const Entry& x, const Entry& y) {
+      const bool pieces_x = has_pieces(x);
+      return pieces_x != has_pieces(y) ? !pieces_x : x.score.better_than(y.score);
+    });
+    const std::size_t contours = candidates_.front().contours.size();
+    entries_.resize(std::min(entries_.size(), std::max<std::size_t>(most / contours, 1)));
+    return keep_clear() && smooth();
+  }
+
+  // Whether what is no turned copy turns visibly, maybe only to keep clear of faults.
+  [[nodiscard]] bool is_turned_for_nothing() const {
+    return best_score_.blemish > kDear && turns_much(best_.candidate);
+  }
+  static bool turns_much(const StepCandidate& candidate) {
+    return std::fabs(candidate.frame.degrees()) > kMuchTurned;
+  }
+
+  // A small detour of an upright morph is less to be seen than a turn.
+  bool stay_upright() {
+    const auto turned = [&](const Entry& entry) { return turns_much(candidates_[entry.candidate]); };
+    entries_.erase(std::remove_if(entries_.begin(), entries_.end(), turned), entries_.end());
+    if (entries_.empty()) return true;
+    for (Entry& entry : entries_) {  // they were looked at until they were known to be worse
+      const StepCandidate& candidate = candidates_[entry.candidate];
+      entry.score = judge_.judge(candidate.blend(entry.kind), {}, candidate.asymmetry);
+    }
+    FoundStep known = std::exchange(best_, {});
+    const Score score = std::exchange(best_score_, {});
+    if (!make_detours(kUprightDetours)) return false;
+    double detours = kDetourBlemish;
+    for (const FoundContour& contour : best_.candidate.contours) {
+      detours = std::max(detours, kDetourBlemish + kWidthBlemish * contour.detour.width);
+    }
+    const auto price = [](const Score& of) { return of.blemish + kFaultBlemish * of.faults; };
+    if (best_score_.faults <= score.faults + 1 && price(best_score_) + detours < price(score)) return true;
+    best_ = std::move(known);
+    best_score_ = score;
+    return true;
+  }
+
   // False when the caller wants to stop.
   [[nodiscard]] bool go_on(double fraction) const {
     return !options_.match.progress || options_.match.progress(fraction);
@@ -143,30 +195,52 @@ class StepSearch {
     return try_trials(0.4, 0.1);
   }
 
+  // Halves that are each other's mirror images, where the best correspondence so far does not keep a symmetry
+  // that both keys have.
+  bool try_mirrored() {
+    if (!may_vary(options_.match) || best_.candidate.asymmetry <= kSymmetric) return true;
+    return try_trials(0.4, 0.0, true);
+  }
+
   // done, share: of the whole work, for the progress.
-  bool try_trials(double done, double share) {
+  bool try_trials(double done, double share, bool mirrored = false) {
     const Progress& progress = options_.match.progress;
     const double part =
         share / static_cast<double>(variants_.size() * std::max<std::size_t>(trials_.size(), 1));
     for (MatchOptions& variant : variants_) {
       for (const Trial& trial : trials_) {
+        if (mirrored && !trial.keys->has_mirror(trial.turned)) continue;
         if (progress) {
           variant.progress = [&, done](double fraction) { return progress(done + part * fraction); };
         }
-        std::optional<StepCandidate> candidate = trial.keys->match(trial.turned, variant);
+        std::optional<StepCandidate> candidate = trial.keys->match(trial.turned, variant, mirrored);
         done += part;
         if (!candidate || !go_on(done)) return false;
         if (options_.match.coarse_to_fine) mark_inexact(*candidate);
+        const bool known = is_known(*candidate);
         candidates_.push_back(*std::move(candidate));
+        if (known) continue;
         for (const BlendKind kind : kinds_) consider(candidates_.back(), kind, candidates_.size() - 1);
       }
       // Whoever is in a hurry turns no more when the first way of matching was better without.
-      if (options_.match.coarse_to_fine && candidates_.size() == 2 && trials_.size() == 2 &&
+      if (!mirrored && options_.match.coarse_to_fine && candidates_.size() == 2 && trials_.size() == 2 &&
           best_index_ == 0) {
         trials_.pop_back();
       }
     }
     return true;
+  }
+
+  // Whether another way of matching has led to the same joints: the in-betweens are the same, too.
+  [[nodiscard]] bool is_known(const StepCandidate& candidate) const {
+    const auto same = [](const FoundContour& x, const FoundContour& y) {
+      return x.ends.a == y.ends.a && x.ends.b == y.ends.b;
+    };
+    return std::any_of(candidates_.begin(), candidates_.end(), [&](const StepCandidate& other) {
+      return other.frame.degrees() == candidate.frame.degrees() &&
+             std::equal(other.contours.begin(), other.contours.end(), candidate.contours.begin(),
+                        candidate.contours.end(), same);
+    });
   }
 
   // Some of the matches may be the optimum: that they were chosen, and under which turn, is not.
@@ -177,7 +251,7 @@ class StepSearch {
   }
 
   void consider(const StepCandidate& candidate, BlendKind kind, std::size_t index) {
-    const Score score = judge_.judge(candidate.blend(kind), best_score_);
+    const Score score = judge_.judge(candidate.blend(kind), best_score_, candidate.asymmetry);
     entries_.push_back({index, kind, score});
     if (score.better_than(best_score_)) best_index_ = index;
     keep(candidate, kind, score);
@@ -196,7 +270,7 @@ class StepSearch {
       StepCandidate own = candidates_[entry.candidate];
       if (own.contours.size() < 2) return true;
       const std::vector<std::size_t> order = all_but_the_largest(own);
-      Score score = judge_.judge(own.blend(entry.kind), {});
+      Score score = judge_.judge(own.blend(entry.kind), {}, own.asymmetry);
       for (const double s : kMeetings) {
         for (const std::size_t c : order) {
           if (score.faults == 0) break;
@@ -205,7 +279,7 @@ class StepSearch {
           const ContourDetour before = own.contours[c].detour;
           own.contours[c].detour = {};
           own.contours[c].detour = clearance_.find(own.blend(entry.kind), c, s);
-          const Score now = judge_.judge(own.blend(entry.kind), score);
+          const Score now = judge_.judge(own.blend(entry.kind), score, own.asymmetry);
           if (now.better_than(score)) {
             score = now;
           } else {
@@ -244,7 +318,7 @@ class StepSearch {
       for (double width = kNarrowest; width < least; width *= kWiden) {
         if (!go_on(0.75 + 0.25 * static_cast<double>(e) / static_cast<double>(entries_.size()))) return false;
         for (FoundContour& contour : fine.contours) contour.detour.width = width;
-        const Score score = judge_.judge(fine.blend(entries_[e].kind), {1, 0.0, 0.0});
+        const Score score = judge_.judge(fine.blend(entries_[e].kind), {1, 0.0, 0.0}, fine.asymmetry);
         if (score.faults > 0) continue;
         least = width;
         best_score_ = score;

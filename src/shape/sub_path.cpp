@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
 #include <utility>
 
 #include "shape/plane.h"
@@ -12,6 +13,9 @@
 namespace tandem {
 inline namespace v0 {
 namespace {
+
+// Cubics are the same when their control points differ by less, in lengths of the outline.
+constexpr double kRetraced = 1e-9;
 
 using Cubic = std::array<Vec2, 4>;
 
@@ -90,26 +94,95 @@ std::vector<Segment> part_of(const CutPiece& piece, double u, double v) {
   return part;
 }
 
-Segment reversed(const Segment& segment) {
-  const auto turn = [](const Cubic& c) { return Cubic{c[3], c[2], c[1], c[0]}; };
-  return {turn(segment.path), turn(segment.outline), segment.chord};
+Cubic reversed(const Cubic& c) {
+  return {c[3], c[2], c[1], c[0]};
 }
 
-// The chord along which a part is cut off, with as many segments as the part, each pushed out onto its own.
-std::vector<Segment> chord_under(const std::vector<Segment>& part) {
-  std::vector<double> ends{0.0};
+Segment reversed(const Segment& segment) {
+  return {reversed(segment.path), reversed(segment.outline), segment.chord};
+}
+
+double polygon_length(const Cubic& c) {
+  return distance(c[0], c[1]) + distance(c[1], c[2]) + distance(c[2], c[3]);
+}
+
+Cubic sub_cubic(const Cubic& c, double from, double to) {
+  const auto x = cubic_part(std::array<double, 4>{c[0].x, c[1].x, c[2].x, c[3].x}, from, to);
+  const auto y = cubic_part(std::array<double, 4>{c[0].y, c[1].y, c[2].y, c[3].y}, from, to);
+  return {{{x[0], y[0]}, {x[1], y[1]}, {x[2], y[2]}, {x[3], y[3]}}};
+}
+
+// Whether two cubics are the same, in units of `size`.
+bool agree(const Cubic& a, const Cubic& b, double size) {
+  double off = 0.0;
+  for (std::size_t k = 0; k < 4; ++k) off = std::max(off, distance(a[k], b[k]));
+  return off <= kRetraced * size;
+}
+
+// The share of `longer`, from its end, that `shorter` runs back along; nothing when it does not.
+std::optional<double> retraced(const Cubic& longer, const Cubic& shorter, double size) {
+  double lo = 0.0;
+  double hi = 1.0;
+  const double wanted = polygon_length(shorter);
+  for (int i = 0; i < 60; ++i) {  // of parts of one end the control polygon grows with the part
+    const double mid = 0.5 * (lo + hi);
+    (polygon_length(sub_cubic(longer, 1.0 - mid, 1.0)) < wanted ? lo : hi) = mid;
+  }
+  if (!agree(sub_cubic(longer, 1.0 - hi, 1.0), reversed(shorter), size)) return std::nullopt;
+  return hi;
+}
+
+// An outline without what it runs along forth and back: a part that is pushed out onto the outline is
+// doubled, and from one of its sides to the other there is no need to go round its end.
+std::vector<Cubic> direct(const std::vector<Segment>& part) {
+  double size = 0.0;
+  for (const Segment& segment : part) size += polygon_length(segment.outline);
+  std::vector<Cubic> way;
   for (const Segment& segment : part) {
-    double length = 0.0;
-    for (std::size_t k = 0; k < 3; ++k) length += distance(segment.path[k], segment.path[k + 1]);
-    ends.push_back(ends.back() + length);
+    Cubic next = segment.outline;
+    bool gone = false;
+    while (!way.empty() && !gone) {
+      Cubic& last = way.back();
+      if (polygon_length(last) >= polygon_length(next)) {
+        const auto share = retraced(last, next, size);
+        if (!share) break;
+        gone = true;
+        last = sub_cubic(last, 0.0, 1.0 - *share);
+        if (polygon_length(last) <= kRetraced * size) way.pop_back();
+      } else {
+        const auto share = retraced(reversed(next), reversed(last), size);
+        if (!share) break;
+        next = sub_cubic(next, *share, 1.0);
+        way.pop_back();
+      }
+    }
+    if (!gone) way.push_back(next);
+  }
+  if (way.empty())
+    way.push_back(
+        {part.front().outline[0], part.front().outline[0], part.back().outline[3], part.back().outline[3]});
+  way.front()[0] = part.front().outline[0];
+  way.back()[3] = part.back().outline[3];
+  return way;
+}
+
+// The chord along which a part is cut off, in as many segments as it takes to push it out onto the part.
+std::vector<Segment> chord_under(const std::vector<Segment>& part) {
+  const std::vector<Cubic> way = direct(part);
+  // Each as long as what it is pushed onto, as the key is drawn.
+  std::vector<double> ends{0.0};
+  if (way.size() == part.size()) {
+    for (const Segment& segment : part) ends.push_back(ends.back() + polygon_length(segment.path));
+  } else {
+    for (const Cubic& cubic : way) ends.push_back(ends.back() + polygon_length(cubic));
   }
   const Vec2 a = part.front().path[0];
   const Vec2 b = part.back().path[3];
   std::vector<Segment> chord;
   Vec2 from = a;
-  for (std::size_t i = 0; i < part.size(); ++i) {
-    const Vec2 to = i + 1 < part.size() ? between(a, b, ends[i + 1] / ends.back()) : b;
-    chord.push_back({line(from, to), part[i].outline, true});
+  for (std::size_t i = 0; i < way.size(); ++i) {
+    const Vec2 to = i + 1 < way.size() ? between(a, b, ends[i + 1] / ends.back()) : b;
+    chord.push_back({line(from, to), way[i], true});
     from = to;
   }
   return chord;
