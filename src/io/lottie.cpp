@@ -8,6 +8,7 @@
 
 #include "io/canvas.h"
 #include "io/layers.h"
+#include "io/limits.h"
 #include "io/number.h"
 #include "io/timeline.h"
 
@@ -192,13 +193,14 @@ class LottieWriter {
   [[nodiscard]] std::string stroke_text(const Layer& layer) const {
     const Style& first = layer.keys.front();
     // Both count from 1: butt, round, square; miter, round, bevel.
-    std::string text =
-        fmt::format("{{\"ty\":\"st\",{},\"w\":{},\"lc\":{},\"lj\":{},", paint_text(layer, &Style::stroke),
-                    by_key(layer,
-                           [&](const Style& key) {
-                             return format_number(key.stroke_width * canvas_.scale(), kTimeDecimals);
-                           }),
-                    static_cast<int>(first.line_cap) + 1, static_cast<int>(first.line_join) + 1);
+    std::string text = fmt::format(
+        "{{\"ty\":\"st\",{},\"w\":{},\"lc\":{},\"lj\":{},", paint_text(layer, &Style::stroke),
+        by_key(layer,
+               [&](const Style& key) {
+                 return format_number(std::min(key.stroke_width * canvas_.scale(), kLargestCoordinate),
+                                      kTimeDecimals);
+               }),
+        static_cast<int>(first.line_cap) + 1, static_cast<int>(first.line_join) + 1);
     if (first.line_join == LineJoin::miter) {
       text += fmt::format("\"ml\":{},", format_number(first.miter_limit, kTimeDecimals));
     }

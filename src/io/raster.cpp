@@ -131,7 +131,8 @@ struct Rasterizer::Impl {
   }
 
   void take(const Pen& pen) const {
-    const auto radius = static_cast<FT_Fixed>(std::lround(0.5 * pen.width * canvas.scale() * kUnits));
+    const double half = std::min(0.5 * pen.width * canvas.scale(), kFarthest);
+    const auto radius = static_cast<FT_Fixed>(std::lround(half * kUnits));
     const FT_Stroker_LineCap cap = pen.cap == LineCap::round    ? FT_STROKER_LINECAP_ROUND
                                    : pen.cap == LineCap::square ? FT_STROKER_LINECAP_SQUARE
                                                                 : FT_STROKER_LINECAP_BUTT;

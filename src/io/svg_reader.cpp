@@ -24,6 +24,8 @@ namespace {
 /// short.
 constexpr int kDeepestNesting = 256;
 
+constexpr double kSmallestSize = 1e-300;  // of a view box
+
 /// How many elements <use> may draw, and how many bytes of path data, a multiple of the file's size: a file
 /// of a few lines can otherwise ask for billions.
 constexpr std::size_t kMostUsedElements = 100000;
@@ -234,7 +236,8 @@ class SvgReader {
   void show(const std::optional<ViewBox>& box, const SvgViewport& size) {
     std::optional<ViewBox> shown = box;
     if (!shown && size.width && size.height) shown = ViewBox{0.0, 0.0, *size.width, *size.height};
-    if (shown && shown->width > 0.0 && shown->height > 0.0) shown_ = shown;
+    // Below the smallest coordinate that files have, pixels per unit overflow.
+    if (shown && shown->width >= kSmallestSize && shown->height >= kSmallestSize) shown_ = shown;
   }
 
   /// A percentage of an unknown size is unknown.
