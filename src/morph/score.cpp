@@ -58,16 +58,14 @@ struct EndLengths {
   double last = 0.0;
 };
 
-// Of what is drawn at both ends.
-EndLengths lengths_at_ends(const StepBlend& blend, std::size_t contour, const ContourEnds& ends) {
-  if (!blend.has_outlines(contour)) {
-    return {path_length(ends.a.control_points().data()), path_length(ends.b.control_points().data())};
-  }
+// Of what is drawn at both ends beyond what is blended.
+EndLengths lengths_beyond(const StepBlend& blend, std::size_t contour, const ContourEnds& ends) {
+  if (!blend.has_outlines(contour)) return {};
   std::vector<double> points(blend.size(contour));
   blend.at(0.0, contour, points);
-  const double first = path_length(points);
+  const double first = path_length(points) - path_length(ends.a.control_points().data());
   blend.at(1.0, contour, points);
-  return {first, path_length(points)};
+  return {first, path_length(points) - path_length(ends.b.control_points().data())};
 }
 
 // The turn on the spot at a joint, as the chord of its angle.
@@ -161,9 +159,11 @@ struct Judge::Reference {
     for (const ContourEnds& contour : ends) {
       breaks.push_back(worse_breaks(contour));
       joints += static_cast<double>(breaks.back().size());
-      const EndLengths drawn = lengths_at_ends(blend, breaks.size() - 1, contour);
-      first.length += drawn.first;
-      last.length += drawn.last;
+      first.length += path_length(contour.a.control_points().data());
+      last.length += path_length(contour.b.control_points().data());
+      const EndLengths more = lengths_beyond(blend, breaks.size() - 1, contour);
+      beyond.first += more.first;
+      beyond.last += more.last;
       if (!contour.a.is_closed()) continue;
       first.area += signed_area(contour.a.control_points().data());
       last.area += signed_area(contour.b.control_points().data());
@@ -177,6 +177,7 @@ struct Judge::Reference {
   double joints = 0.0;
   Sums first;
   Sums last;
+  EndLengths beyond;
 };
 
 // Of the in-between that was sampled last.
@@ -189,8 +190,7 @@ void Judge::add_trouble(double s, Score& score) {
 }
 
 // Of the same, what needs no look for crossings.
-// progress: StepBlend::progress() of it.
-void Judge::add_measures(const Reference& keys, double progress, Score& score) const {
+void Judge::add_measures(const StepBlend& blend, const Reference& keys, double s, Score& score) const {
   Sums now;
   double broken = 0.0;
   for (std::size_t c = 0; c < points_.size(); ++c) {
@@ -202,7 +202,10 @@ void Judge::add_measures(const Reference& keys, double progress, Score& score) c
       if (more > kSeenBreak) broken += more;
     }
   }
-  const double length = now.length / ((1.0 - progress) * keys.first.length + progress * keys.last.length);
+  const double progress = blend.progress(s);
+  const StepBlend::OutlineShares left = StepBlend::outline_shares(s);
+  const double length = now.length / ((1.0 - progress) * keys.first.length + progress * keys.last.length +
+                                      left.first * keys.beyond.first + left.last * keys.beyond.last);
   if (length < kLeastLength || length > kMostLength) ++score.faults;
   const double wanted = (1.0 - progress) * keys.first.area + progress * keys.last.area;
   if (wanted > 0.0) {
@@ -237,14 +240,14 @@ Score Judge::judge(const StepBlend& blend, const Score& limit, double asymmetry)
   if (measure_first) {
     for (const int part : kOrder) {
       sample(blend, part / kParts);
-      add_measures(keys, blend.progress(part / kParts), score);
+      add_measures(blend, keys, part / kParts, score);
       if (is_beaten()) return score;
     }
   }
   for (const int part : kOrder) {
     sample(blend, part / kParts);
     add_trouble(part / kParts, score);
-    if (!measure_first) add_measures(keys, blend.progress(part / kParts), score);
+    if (!measure_first) add_measures(blend, keys, part / kParts, score);
     if (is_beaten()) return score;
   }
   if (leaves_too_fast(blend)) score.faults += static_cast<int>(kOrder.size());

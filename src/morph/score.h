@@ -47,7 +47,7 @@ class Judge {
 
   [[nodiscard]] double trouble_of_frame();
   void add_trouble(double s, Score& score);
-  void add_measures(const Reference& keys, double progress, Score& score) const;
+  void add_measures(const StepBlend& blend, const Reference& keys, double s, Score& score) const;
   void sample(const StepBlend& blend, double s);
   [[nodiscard]] bool leaves_too_fast(const StepBlend& blend);
 

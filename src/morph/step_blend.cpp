@@ -88,6 +88,10 @@ double StepBlend::progress(double s) const noexcept {
   return parts_last_ ? s * (2.0 - s) : s;
 }
 
+StepBlend::OutlineShares StepBlend::outline_shares(double s) noexcept {
+  return {power(std::clamp(1.0 - s, 0.0, 1.0)), power(std::clamp(s, 0.0, 1.0))};
+}
+
 bool StepBlend::is_linear() const noexcept {
   return frame_.scale() == 1.0 && std::all_of(contours_.begin(), contours_.end(), [](const Contour& c) {
            return c.blend->is_linear() && c.detour.is_none() && c.off_first.empty();
@@ -99,10 +103,9 @@ void StepBlend::at(double s, std::size_t contour, std::span<double> points) cons
   const double done = progress(s);
   c.blend->at(done, points);
   if (!c.off_first.empty()) {
-    const double early = s < 0.0 ? 1.0 : power(std::max(0.0, 1.0 - s));
-    const double late = s > 1.0 ? 1.0 : power(std::max(0.0, s));
+    const OutlineShares left = outline_shares(s);
     for (std::size_t i = 0; i < points.size(); ++i)
-      points[i] += early * c.off_first[i] + late * c.off_last[i];
+      points[i] += left.first * c.off_first[i] + left.last * c.off_last[i];
   }
   frame_.place(done, points);
   // Beyond the ends there is nothing to be avoided.

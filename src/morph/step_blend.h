@@ -64,6 +64,12 @@ class StepBlend {
   /// How far the contours are at s. Pieces part late, when most of the way of their chords is done: a gap
   /// opens where it stays.
   [[nodiscard]] double progress(double s) const noexcept;
+  /// How much is left at s of what is drawn at the ends alone.
+  struct OutlineShares {
+    double first;
+    double last;
+  };
+  [[nodiscard]] static OutlineShares outline_shares(double s) noexcept;
   /// By how much the frame turns.
   [[nodiscard]] double degrees() const noexcept { return frame_.degrees(); }
   [[nodiscard]] const ContourDetour& detour(std::size_t contour) const noexcept {

@@ -116,17 +116,17 @@ out_has '^\{"report": \{'
 that "an animation" grep -q '<animate' a.svg
 expect 0 morph "${quick[@]}" "$square" "$triangle" -o c.svg --easing 'cubic-bezier(0.3, 0, 0.7, 1)'
 # When keys are reached, and how.
-expect 0 morph "${quick[@]}" "$square" "$triangle" "$square" -o t.svg --times 0,0.4,1 --easing ease --easing linear --play once
+expect 0 morph --blend affine "$square" "$triangle" "$square" -o t.svg --times 0,0.4,1 --easing ease --easing linear --play once
 that "times" grep -q 'keyTimes="0;0.4;1" calcMode="spline" keySplines="0.25 0.1 0.25 1;0 0 1 1"' t.svg
 cp t.svg u.svg
 for times in 0%,40%,100% 0s,0.8s,2s; do
-  expect 0 morph "${quick[@]}" "$square" "$triangle" "$square" -o t.svg --times "$times" --easing 'ease; linear' --play once
+  expect 0 morph --blend affine "$square" "$triangle" "$square" -o t.svg --times "$times" --easing 'ease; linear' --play once
   that "the same times" cmp t.svg u.svg
 done
-expect 0 morph "${quick[@]}" "$square" "$triangle" "$square" -o t.svg --times 0s,1s,5s --play once
+expect 0 morph --blend affine "$square" "$triangle" "$square" -o t.svg --times 0s,1s,5s --play once
 that "a duration" grep -q 'dur="5s"' t.svg
-expect 0 morph "${quick[@]}" "$square" "$triangle" "$square" -o - --times 0,0.4,1 --at 0.4
-out_has '"s": 0.4, "d": "M[^"]*2 0L4 4L0 4L'
+expect 0 morph --blend affine "$square" "$triangle" "$square" -o - --times 0,0.4,1 --at 0.4
+out_has '"s": 0.4, "d": "M[^"]*L4 4L0 4L[^"]*L2 0L'
 expect 0 morph "${quick[@]}" "$square" 'M0 0H9V4H0Z' 'M0 0H9V9H0Z' -o smooth.svg --smooth --blend affine
 that "more frames than keys" bash -c '[[ $(grep -o "keyTimes=\"[^\"]*" smooth.svg | head -1 | tr -cd ";" | wc -c) -gt 8 ]]'
 rm t.svg u.svg smooth.svg
