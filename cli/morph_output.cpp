@@ -26,6 +26,18 @@ constexpr double kGifFramesPerSecond = 50.0;  // format_gif()
 constexpr int kMostDecimals = 15;
 constexpr double kLongestDuration = 86'400.0;  // a day, in seconds
 
+/// Seconds, as a number or as in CSS: 2, 2s, 500ms.
+double parse_duration(const std::string& text) {
+  const auto ends_with = [&](std::string_view unit) {
+    return text.size() > unit.size() && text.compare(text.size() - unit.size(), unit.size(), unit) == 0;
+  };
+  if (ends_with("ms")) {
+    return 1e-3 * parse_number("--duration", text.substr(0, text.size() - 2), 1.0, 1e3 * kLongestDuration);
+  }
+  return parse_number("--duration", ends_with("s") ? text.substr(0, text.size() - 1) : text, 1e-3,
+                      kLongestDuration);
+}
+
 /// --frames and --at: where in-betweens are taken.
 void plan_positions(const Command& command, MorphOutput& plan) {
   if (!command.frames.empty()) plan.frames = parse_count("--frames", command.frames, 2, kMostFrames);
@@ -68,7 +80,7 @@ void plan_positions(const Command& command, MorphOutput& plan) {
 void plan_animation(const Command& command, MorphOutput& plan) {
   tandem::AnimationOptions& animation = plan.animation;
   const std::size_t shapes = std::max<std::size_t>(command.inputs.size(), 2);
-  animation.duration = parse_number("--duration", command.duration, 1e-3, kLongestDuration);
+  animation.duration = parse_duration(command.duration);
   const KeyTimes times = parse_key_times(command.times, shapes);
   if (times.duration) {
     if (command.app->count("--duration") > 0) {
@@ -103,7 +115,7 @@ void add_morph_output_flags(Command& command) {
       ->type_name("N");
   app.add_option("--at", command.at, "These in-betweens instead: 0 is A, 1 the last shape")
       ->type_name("S,...");
-  app.add_option("--duration", command.duration, "Seconds from the first shape to the last (2)")
+  app.add_option("--duration", command.duration, "Time from the first shape to the last: 2, 2s, 500ms (2)")
       ->type_name("X");
   app.add_option("--easing", command.easings,
                  "linear, ease, ease-in, ease-out, ease-in-out, x1,y1,x2,y2; once, or once per step")

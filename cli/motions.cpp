@@ -114,7 +114,7 @@ std::optional<std::vector<CsvTable>> load_motions(const Command& command, Format
   for (const std::string& name : names) {
     tables.push_back(tandem::parse_csv_table(tandem::read_file(name), name));
   }
-  if (tables.front().curve.dim() == 2 && format != Format::csv) return std::nullopt;
+  if (tables.front().curve.dim() == 2 && format != Format::csv && command.to != "csv") return std::nullopt;
   pair_columns(tables, names, messages);
   return tables;
 }

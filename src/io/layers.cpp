@@ -90,11 +90,11 @@ std::vector<Layer> plain_layers(const PathMorph& morph, const View& view, const 
   return layers;
 }
 
-/// Per key whether the contour is more than the point that it is born from or dies to. Open contours are
-/// born on other lines, which cover them.
-std::vector<bool> presence(const PathMorph& morph, std::size_t contour) {
+/// Per key whether the contour is more than the point that it is born from or dies to. Of open contours butt
+/// caps draw nothing there, others a dot.
+std::vector<bool> presence(const PathMorph& morph, std::size_t contour, LineCap cap) {
   std::vector<bool> present(morph.key_count(), true);
-  if (!morph.contours()[contour].keys.front().is_closed()) return present;
+  if (cap == LineCap::butt && !morph.contours()[contour].keys.front().is_closed()) return present;
   for (std::size_t k = 0; k < morph.steps().size(); ++k) {
     const ContourStep& step = morph.steps()[k].contours[contour];
     if (!step.a) present[k] = false;
@@ -109,10 +109,10 @@ struct Group {
 };
 
 /// Those that are always there first.
-std::vector<Group> groups_of(const PathMorph& morph) {
+std::vector<Group> groups_of(const PathMorph& morph, LineCap cap) {
   std::vector<Group> groups{{std::vector<bool>(morph.key_count(), true), {}}};
   for (std::size_t c = 0; c < morph.contours().size(); ++c) {
-    const std::vector<bool> present = presence(morph, c);
+    const std::vector<bool> present = presence(morph, c, cap);
     auto same = std::find_if(groups.begin(), groups.end(),
                              [&](const Group& group) { return group.present == present; });
     if (same == groups.end()) same = groups.insert(same, {present, {}});
@@ -153,7 +153,7 @@ std::vector<Layer> layers_of(const PathMorph& morph, const Look& look, const Vie
   std::vector<std::size_t> all(morph.contours().size());
   for (std::size_t c = 0; c < all.size(); ++c) all[c] = c;
   if (!strokes) return {{"filled", std::move(all), keys}};
-  std::vector<Group> groups = groups_of(morph);
+  std::vector<Group> groups = groups_of(morph, keys.front().line_cap);
   if (groups.size() == 1) return {{fills ? "drawn" : "stroked", std::move(all), keys}};
 
   std::vector<Layer> layers;

@@ -33,7 +33,10 @@ struct Painted {
   double area = 0.0;
 };
 
+// That of the contours that lie in one element, where they agree; single ones of several elements are filled
+// each on its own.
 FillRule common_fill_rule(const std::vector<SvgElement>& elements) {
+  if (elements.size() == 1) return elements.front().shape.fill_rule;
   bool several = false;
   bool all_evenodd = true;
   for (const SvgElement& element : elements) {

@@ -125,6 +125,9 @@ for times in 0%,40%,100% 0s,0.8s,2s; do
 done
 expect 0 morph --blend affine "$square" "$triangle" "$square" -o t.svg --times 0s,1s,5s --play once
 that "a duration" grep -q 'dur="5s"' t.svg
+expect 0 morph "${quick[@]}" "$square" "$triangle" -o t.svg --duration 500ms --play once
+that "a duration in milliseconds" grep -q 'dur="0.5s"' t.svg
+expect 2 morph "$square" "$triangle" -o t.svg --duration 2m
 expect 0 morph --blend affine "$square" "$triangle" "$square" -o - --times 0,0.4,1 --at 0.4
 out_has '"s": 0.4, "d": "M[^"]*L4 4L0 4L[^"]*L2 0L'
 expect 0 morph "${quick[@]}" "$square" 'M0 0H9V4H0Z' 'M0 0H9V9H0Z' -o smooth.svg --smooth --blend affine

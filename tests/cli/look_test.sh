@@ -34,6 +34,20 @@ has_not out.lottie.json '"fl"'
 expect 0 morph menu.svg cross.svg -o out.html
 has out.html '"view":\[0,0,24,24\]'
 
+# A line without a partner has no width where it is a point, before it is born too: round caps would draw a dot.
+svg "$outline" '<path d="M4 6H20"/><path d="M4 12H20"/><path d="M4 18H20"/>' >three.svg
+expect 0 morph three.svg cross.svg -o out.svg --at 1
+has out.svg 'stroke-width="0"'
+expect 0 morph menu.svg menu.svg three.svg -o out.svg --at 0
+has out.svg 'stroke-width="0"'
+expect 0 morph menu.svg cross.svg -o out.svg --at 1
+has_not out.svg 'stroke-width="0"'
+
+# One contour that crosses itself keeps its rule.
+svg 'viewBox="0 0 24 24"' '<path fill-rule="evenodd" d="M12 1L19 22L1 9H23L5 22Z"/>' >pentagram.svg
+expect 0 morph pentagram.svg red.svg -o out.svg --at 0
+has out.svg 'fill-rule="evenodd"'
+
 # Colours change on the way.
 expect 0 morph red.svg blue.svg -o out.svg
 has out.svg '<animate attributeName="fill" .* values="#dd2e44;#3b88c3;#dd2e44"/>'

@@ -84,4 +84,6 @@ expect 0 morph two.csv two.csv -o - --at 0.5
 out_has '"d": "M'
 expect 0 morph two.csv two.csv -o two.out.csv --at 0.5
 that "two columns" test "$(head -1 two.out.csv)" == 'time,"left arm",right'
+expect 0 morph two.csv two.csv -o both/ --to csv --frames 3
+that "tables of two columns" test "$(head -1 both/frame_001.csv)" == 'time,"left arm",right'
 finish
