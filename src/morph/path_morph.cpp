@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -12,11 +11,10 @@
 #include "morph/smooth_steps.h"
 #include "morph/step_blend.h"
 #include "morph/step_search.h"
-#include "shape/third.h"
+#include "morph/winding.h"
 #include "tandem/error.h"
 #include "tandem/morph/align.h"
 #include "tandem/shape/intersections.h"
-#include "tandem/shape/nesting.h"
 
 namespace tandem {
 inline namespace v0 {
@@ -50,19 +48,6 @@ void check_keys(std::span<const Shape> keys) {
   }
 }
 
-// As a fill closes it.
-CubicPath closed_by_line(CubicPath path) {
-  if (path.is_closed()) return path;
-  Points points = path.control_points();
-  const std::array<double, 2> from{points.back()[0], points.back()[1]};
-  const std::array<double, 2> to{points.front()[0], points.front()[1]};
-  if (from == to) return CubicPath(std::move(points), true);
-  points.push_back(std::array{third(from[0], to[0]), third(from[1], to[1])});
-  points.push_back(std::array{third(to[0], from[0]), third(to[1], from[1])});
-  points.push_back(to);
-  return CubicPath(std::move(points), true);
-}
-
 // Contours of no extent draw nothing; a key that has no others keeps one.
 std::vector<std::size_t> drawn_contours(const Shape& shape) {
   std::vector<std::size_t> drawn;
@@ -81,9 +66,9 @@ std::vector<CubicPath> to_paths(const Shape& shape, double tolerance, bool close
     paths.push_back(to_cubic_path(shape.contours[i], absolute));
   }
   if (close) {
-    for (CubicPath& path : paths) path = closed_by_line(std::move(path));
+    for (CubicPath& path : paths) path = detail::closed_by_line(std::move(path));
   }
-  return orient(paths, shape.fill_rule);
+  return detail::wound(std::move(paths), shape.fill_rule);
 }
 
 // A contour through all keys so far.

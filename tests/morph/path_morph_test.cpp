@@ -307,6 +307,28 @@ TEST(PathMorph, WantsThePlane) {
   EXPECT_THROW(PathMorph{keys}, InvalidArgument);
 }
 
+// An even-odd drawing whose contours lack their last sides, as some icons do, is filled all the same.
+TEST(PathMorph, WhatOpenContoursLeaveOutStaysOut) {
+  const auto open_square = [](double lo, double hi) {
+    PathBuilder builder;
+    builder.move_to({lo, lo});
+    builder.line_to({hi, lo});
+    builder.line_to({hi, hi});
+    builder.line_to({lo, hi});
+    return to_curve(builder.take().front());
+  };
+  Shape ring{{open_square(0, 10), open_square(3, 7)}};
+  ring.fill_rule = FillRule::evenodd;
+  const PathMorph made(std::vector<Shape>{one(square(10)), ring}, quick());
+  EXPECT_EQ(made.fill_rule(), FillRule::nonzero);
+  const std::vector<CubicPath> drawn = made.at(1);
+  ASSERT_EQ(drawn.size(), 2U);
+  const double first = signed_area(drawn[0]);
+  const double second = signed_area(drawn[1]);
+  EXPECT_NEAR(std::fabs(first + second), 100.0 - 16.0, 1e-6);
+  EXPECT_NEAR(std::fabs(first - second), 100.0 + 16.0, 1e-6);
+}
+
 // Near an end the shape is still in its place: the motion alone must not look like a jump. An intrinsic blend
 // of these two swings their ends round at six diagonals per unit of s.
 TEST(PathMorph, LeavesItsKeysGently) {
