@@ -28,8 +28,8 @@ enum class WitnessKind {
   /// S_u x S_v is zero at the place, at a corner perhaps from one side only; of a surface that is not planar,
   /// perhaps not at it but within 1e-6 of a span.
   zero,
-  crossing,     ///< two places with the same point; planar: edges of the surface that cross
-  triangles,    ///< two triangles of the tessellation that have a point in common
+  crossing,   ///< two places with the same point; planar: edges of the surface that cross
+  triangles,  ///< two triangles of the tessellation that have a point in common
 };
 
 /// A point of a surface.
@@ -67,11 +67,11 @@ struct Certificate {
 };
 
 /// Certifies the planar ruled surface (1 - v) a(u) + v b(u), v in [0,1], over the domain of both curves,
-/// whose degrees, knots and weights may differ. Planar: in R^2, or in R^3 with all control points in one plane:
-/// one coordinate is the same number throughout, or they lie within 1e-9 of their width of any other plane.
-/// There the shadow along the axis nearest to the plane's normal is examined, and jacobians are those of the
-/// shadow; what is certified holds in space. Curves that are both closed (their ends within 1e-9 of the size) make
-/// a closed surface; what is certified then holds when the seam is closed exactly, too.
+/// whose degrees, knots and weights may differ. Planar: in R^2, or in R^3 with all control points in one
+/// plane: one coordinate is the same number throughout, or they lie within 1e-9 of their width of any other
+/// plane. There the shadow along the axis nearest to the plane's normal is examined, and jacobians are those
+/// of the shadow; what is certified holds in space. Curves that are both closed (their ends within 1e-9 of
+/// the size) make a closed surface; what is certified then holds when the seam is closed exactly, too.
 /// @throws InvalidArgument the dimensions or the domains differ, or the curves are not planar
 [[nodiscard]] TANDEM_EXPORT Certificate certify(const Curve& a, const Curve& b);
 
