@@ -128,7 +128,7 @@ double tangent_difference(std::span<const ContourEnds> ends) {
 
 }  // namespace
 
-Judge::Judge(double diagonal) : diagonal_(diagonal), finder_({.scale = diagonal}) {}
+Judge::Judge(double diagonal) : finder_({.scale = diagonal}) {}
 
 void Judge::sample(const StepBlend& blend, double s) {
   points_.resize(blend.contour_count());

@@ -51,7 +51,6 @@ class Judge {
   void sample(const StepBlend& blend, double s);
   [[nodiscard]] bool leaves_too_fast(const StepBlend& blend);
 
-  double diagonal_;
   CrossingFinder finder_;
   std::optional<std::array<double, 2>> trouble_of_keys_;
   std::vector<std::vector<double>> points_;

@@ -26,12 +26,8 @@ double at_place(const Interval& domain, int i, int places) {
 }
 
 double angle_between(std::span<const double> a, std::span<const double> b) {
-  double dot = 0.0;
   Point gap(a.size());
-  for (std::size_t c = 0; c < a.size(); ++c) {
-    dot += a[c] * b[c];
-    gap[c] = a[c] - b[c];
-  }
+  for (std::size_t c = 0; c < a.size(); ++c) gap[c] = a[c] - b[c];
   // By the chord: the cosine knows no small angles.
   const double chord = std::min(1.0, 0.5 * scaled_norm(gap));
   return scaled_norm(a) == 0.0 || scaled_norm(b) == 0.0 ? 0.0 : 2.0 * std::asin(chord);
