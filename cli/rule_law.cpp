@@ -60,6 +60,7 @@ int skinned_degree(const std::vector<tandem::Curve>& sections, int q) {
 }
 
 void describe_skin_laws(CLI::App& app) {
+  app.get_option("--reduce")->group("");  // law_options() says what there is instead
   app.get_option("--order")->description("Order of the laws v: 3 is C1 (default), 2 piecewise linear");
   app.get_option("--tolerance")
       ->description("Error of the laws allowed, as a share of a section's domain (0.002)");

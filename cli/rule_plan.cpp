@@ -81,6 +81,7 @@ void add_rail_flags(Command& command) {
   add_surface_flags(*command.app, command.surface);
   add_common_flags(*command.app, command.common);
   add_match_flags(*command.app, command.match);
+  command.app->get_option("--reduce")->group("");  // law_options() says what there is instead
   add_pin_flag(*command.app, command.match);
   command.app->get_option("--order")->description("Order of v: 4 is C2 (default), 2 piecewise linear");
   command.app->get_option("--tolerance")->description("Error of v allowed, as a share of its domain (0.001)");

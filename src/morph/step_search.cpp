@@ -24,8 +24,8 @@ constexpr double kLeastTurn = 0.5;
 constexpr std::size_t kDetours = 300;
 // Asymmetry, in shares of the length, that nobody sees.
 constexpr double kSymmetric = 0.004;
-// The same where only a turn by more than so many degrees is to be avoided, and what a detour is worth then,
-// in blemishes: any, and by its width, a share of the length.
+// How many are sent on detours to avoid nothing but a turn, by more than so many degrees, and what a detour
+// is worth then, in blemishes: any, and by its width, a share of the length.
 constexpr std::size_t kUprightDetours = 300;
 constexpr double kMuchTurned = 25.0;
 constexpr double kDear = 0.4;

@@ -1,24 +1,17 @@
 #include "morph/winding.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <utility>
 
+#include "shape/reversed.h"
 #include "shape/third.h"
 #include "tandem/shape/nesting.h"
 
 namespace tandem {
 inline namespace v0 {
 namespace detail {
-namespace {
-
-CubicPath reversed(const CubicPath& path) {
-  Points points;
-  for (std::size_t i = path.control_points().size(); i-- > 0;) points.push_back(path.control_points()[i]);
-  return CubicPath(std::move(points), path.is_closed());
-}
-
-}  // namespace
 
 CubicPath closed_by_line(CubicPath path) {
   if (path.is_closed()) return path;
@@ -33,6 +26,9 @@ CubicPath closed_by_line(CubicPath path) {
 }
 
 std::vector<CubicPath> wound(std::vector<CubicPath> paths, FillRule fill_rule) {
+  if (std::all_of(paths.begin(), paths.end(), [](const CubicPath& path) { return path.is_closed(); })) {
+    return orient(paths, fill_rule);
+  }
   std::vector<CubicPath> filled;
   for (const CubicPath& path : paths) filled.push_back(closed_by_line(path));
   const std::vector<NestedContour> nesting = find_nesting(filled, fill_rule);

@@ -7,6 +7,7 @@
 
 #include "shape/flattening.h"
 #include "shape/interior_samples.h"
+#include "shape/reversed.h"
 #include "tandem/shape/path_view.h"
 
 namespace tandem {
@@ -104,12 +105,6 @@ NestedContour place(const Containment& containment, std::size_t i, FillRule fill
   return contour;
 }
 
-CubicPath reverse_path(const CubicPath& path) {
-  Points points;
-  for (std::size_t i = path.control_points().size(); i-- > 0;) points.push_back(path.control_points()[i]);
-  return CubicPath(std::move(points), path.is_closed());
-}
-
 // The solid on empty ground that contour i is or lies in: all windings up to it change sign together.
 std::size_t find_root(const Containment& containment, std::size_t i) {
   if (containment.winding_outside(i) == 0) return i;
@@ -145,7 +140,7 @@ std::vector<CubicPath> orient(std::span<const CubicPath> paths, FillRule fill_ru
     } else if (direction != 0) {
       turn = containment.direction_of(find_root(containment, i)) < 0;
     }
-    oriented.push_back(turn ? reverse_path(paths[i]) : paths[i]);
+    oriented.push_back(turn ? reversed(paths[i]) : paths[i]);
   }
   return oriented;
 }

@@ -26,8 +26,8 @@ struct Drawing {
 ///
 /// On the way from key to key colours, opacities and the width of lines change evenly. A fill that one key
 /// does not have fades in or out; a line becomes thin. Caps and joins are those of the first key that has
-/// lines. Of contours that are stroked and closed, those that are born from a point have thin lines there,
-/// so that they draw no dot.
+/// lines. Contours that are born from a point, closed ones and those whose caps are not butt, have lines
+/// without width there, so that they draw no dot.
 struct Look {
   std::vector<Style> styles;        ///< one per key, or none
   std::optional<ViewBox> view_box;  ///< of positive size
