@@ -36,7 +36,6 @@ MorphOptions unturned() {
 }
 
 constexpr double kRounding = 1e-11;  // of shapes of size 10
-constexpr double kSearch = 1e-9;     // test::distance finds a parameter to the root of rounding only
 
 TEST(LocateKey, FindsKeysExactly) {
   for (std::size_t n = 2; n <= 60; ++n) {
@@ -138,7 +137,7 @@ TEST(Morph, BlendsRationalCurvesInEuclideanSpace) {
     }
   }
   EXPECT_LE(worst, 1e-12);
-  EXPECT_LE(distance(points_along(b, 60), other), kSearch);
+  EXPECT_LE(distance(points_along(b, 60), other), kRounding);
 }
 
 TEST(Morph, GoesThroughAllKeysInTurn) {
@@ -149,7 +148,7 @@ TEST(Morph, GoesThroughAllKeysInTurn) {
   for (std::size_t i = 0; i < 4; ++i) {
     const Curve drawn = morph.at(static_cast<double>(i) / 3.0).contours[0];
     EXPECT_EQ(drawn, morph.keys(0)[i]);
-    EXPECT_LE(distance(points_along(drawn, 60), keys[i].contours[0]), kSearch);
+    EXPECT_LE(distance(points_along(drawn, 60), keys[i].contours[0]), kRounding);
     EXPECT_EQ(drawn.knots(), morph.keys(0)[0].knots());
   }
   const Curve beyond = morph.at(4.0 / 3.0).contours[0];
@@ -175,7 +174,7 @@ TEST(Morph, ContoursWithoutPartnerGrowFromTheirCentre) {
     EXPECT_EQ(point.extent(), 0.0);
     EXPECT_EQ(point.evaluate(0.3), center);
   }
-  EXPECT_LE(distance(points_along(morph.at(0.5).contours[1], 100), ring.contours[1]), kSearch);
+  EXPECT_LE(distance(points_along(morph.at(0.5).contours[1], 100), ring.contours[1]), kRounding);
   EXPECT_EQ(morph.at(0.5).contours.size(), 2u);
 }
 
@@ -238,8 +237,8 @@ TEST(Morph, ContoursMayVanishAndComeBack) {
   const std::vector<Shape> keys{two, one(blob(5, 0, 4.0)), other};
   const Morph morph(keys, quick());
   EXPECT_EQ(morph.at(0.5).contours[1].extent(), 0.0);
-  EXPECT_LE(distance(points_along(morph.at(0.0).contours[1], 100), two.contours[1]), kSearch);
-  EXPECT_LE(distance(points_along(morph.at(1.0).contours[1], 100), other.contours[1]), kSearch);
+  EXPECT_LE(distance(points_along(morph.at(0.0).contours[1], 100), two.contours[1]), kRounding);
+  EXPECT_LE(distance(points_along(morph.at(1.0).contours[1], 100), other.contours[1]), kRounding);
 }
 
 TEST(Morph, PointsGrowWhereTheyAre) {
@@ -248,7 +247,7 @@ TEST(Morph, PointsGrowWhereTheyAre) {
   const Morph morph(keys, quick());
   EXPECT_FALSE(morph.match(0, 0).has_value());
   EXPECT_EQ(morph.at(0.0).contours[0].evaluate(0.5), (Point{7, 7}));
-  EXPECT_LE(distance(points_along(morph.at(1.0).contours[0], 100), keys[1].contours[0]), kSearch);
+  EXPECT_LE(distance(points_along(morph.at(1.0).contours[0], 100), keys[1].contours[0]), kRounding);
   const std::vector<Shape> points{one(point), one(Curve::bezier(Points({{9, 9}, {9, 9}})))};
   EXPECT_EQ(Morph(points).at(0.5).contours[0].evaluate(0.5), (Point{8, 8}));
 }
@@ -266,7 +265,7 @@ TEST(Morph, ClosedCurvesAreCutForOpenOnes) {
     const Morph morph(keys, quick());
     for (std::size_t i = 0; i < keys.size(); ++i) {
       const Curve drawn = morph.at(static_cast<double>(i) / static_cast<double>(keys.size() - 1)).contours[0];
-      EXPECT_LE(distance(points_along(drawn, 60), order[i]), kSearch) << i;
+      EXPECT_LE(distance(points_along(drawn, 60), order[i]), kRounding) << i;
       EXPECT_LE(distance(points_along(order[i], 60), drawn), 1e-3) << i;
     }
   }

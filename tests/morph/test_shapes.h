@@ -90,25 +90,28 @@ inline std::vector<Point> points_along(const Curve& curve, int count) {
   return points;
 }
 
-/// Largest distance of the points from the curve: the nearest few of many short pieces, searched by golden
-/// sections.
+/// Largest distance of the points from the curve: of many short pieces the nearest few, by their chords,
+/// halved again and again. Several are kept, since near a cusp the distance has more than one dip.
 inline double distance(const std::vector<Point>& points, const Curve& curve) {
   struct Piece {
     double lo, hi;
     Point p, q;
+    double away = 0.0;
   };
-  std::vector<Piece> pieces;
   constexpr int kPerSpan = 8;
+  constexpr std::size_t kKept = 8;
+  constexpr int kHalvings = 42;
+  std::vector<Piece> all;
   const std::vector<Knot> knots = distinct_knots(curve.knots());
   for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
     if (knots[i].value < curve.domain().lo || knots[i + 1].value > curve.domain().hi) continue;
     const double step = (knots[i + 1].value - knots[i].value) / kPerSpan;
     for (int k = 0; k < kPerSpan; ++k) {
       const double lo = knots[i].value + k * step;
-      pieces.push_back({lo, lo + step, curve.evaluate(lo), curve.evaluate(lo + step)});
+      all.push_back({lo, lo + step, curve.evaluate(lo), curve.evaluate(lo + step)});
     }
   }
-  const auto to_chord = [&](const Point& x, const Piece& piece) {
+  const auto to_chord = [](const Point& x, const Piece& piece) {
     double along = 0.0;
     double squared = 0.0;
     for (std::size_t k = 0; k < x.size(); ++k) {
@@ -120,28 +123,30 @@ inline double distance(const std::vector<Point>& points, const Curve& curve) {
     for (std::size_t k = 0; k < x.size(); ++k) foot[k] += share * (piece.q[k] - piece.p[k]);
     return apart(x, foot);
   };
+  const auto keep_nearest = [&](const Point& x, std::vector<Piece>& pieces) {
+    for (Piece& piece : pieces) piece.away = to_chord(x, piece);
+    const auto nearer = [](const Piece& a, const Piece& b) { return a.away < b.away; };
+    const std::size_t kept = std::min(kKept, pieces.size());
+    std::partial_sort(pieces.begin(), pieces.begin() + static_cast<std::ptrdiff_t>(kept), pieces.end(),
+                      nearer);
+    pieces.resize(kept);
+  };
   double worst = 0.0;
   for (const Point& point : points) {
-    std::vector<std::pair<double, const Piece*>> near;
-    for (const Piece& piece : pieces) near.emplace_back(to_chord(point, piece), &piece);
-    const std::size_t few = std::min<std::size_t>(4, near.size());
-    std::partial_sort(near.begin(), near.begin() + static_cast<std::ptrdiff_t>(few), near.end());
-    double best = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < few; ++i) {
-      double lo = near[i].second->lo;
-      double hi = near[i].second->hi;
-      best = std::min({best, apart(point, near[i].second->p), apart(point, near[i].second->q)});
-      constexpr double golden = 0.6180339887498949;
-      for (int k = 0; k < 45 && best > 1e-13; ++k) {
-        const double a = hi - golden * (hi - lo);
-        const double b = lo + golden * (hi - lo);
-        const double da = apart(point, curve.evaluate(a));
-        const double db = apart(point, curve.evaluate(b));
-        best = std::min({best, da, db});
-        (da < db ? hi : lo) = da < db ? b : a;
+    std::vector<Piece> near = all;
+    keep_nearest(point, near);
+    for (int round = 0; round < kHalvings; ++round) {
+      std::vector<Piece> halves;
+      for (const Piece& piece : near) {
+        const double middle = 0.5 * (piece.lo + piece.hi);
+        const Point p = curve.evaluate(middle);
+        halves.push_back({piece.lo, middle, piece.p, p});
+        halves.push_back({middle, piece.hi, p, piece.q});
       }
+      keep_nearest(point, halves);
+      near = std::move(halves);
     }
-    worst = std::max(worst, best);
+    worst = std::max(worst, near.front().away);
   }
   return worst;
 }
