@@ -45,6 +45,10 @@ void say_view_boxes(const Messages& messages, const std::vector<tandem::Drawing>
 void say_look(const Messages& messages, const Command& command, const std::vector<tandem::Drawing>& drawings,
               const tandem::Look& look, const tandem::PathMorph& morph) {
   for (std::size_t i = 0; i < drawings.size(); ++i) {
+    if (!drawings[i].missed.empty()) {
+      messages.note(fmt::format("{} is drawn without {}", short_name(command.inputs[i]),
+                                fmt::join(drawings[i].missed, ", ")));
+    }
     if (!drawings[i].several_styles) continue;
     messages.note(fmt::format(
         "{} is drawn in several styles, a morph in one: that of its largest area; FILE.svg#ID takes a part",

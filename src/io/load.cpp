@@ -136,7 +136,7 @@ Drawing svg_drawing(std::string_view text, const FilePart& name) {
                                 elements.size() - 1));
   }
   const SvgElement wanted = elements[*index];
-  return {wanted.shape, wanted.style, picture.view_box, false};
+  return {wanted.shape, wanted.style, picture.view_box, false, picture.missed};
 }
 
 /// Fonts have y up, everything else that is planar has y down.

@@ -52,6 +52,7 @@ FillRule common_fill_rule(const std::vector<SvgElement>& elements) {
 Drawing merge(const SvgPicture& picture) {
   Drawing drawing;
   drawing.view_box = picture.view_box;
+  drawing.missed = picture.missed;
   drawing.shape.fill_rule = common_fill_rule(picture.elements);
   std::vector<Painted> styles;
   for (const SvgElement& element : picture.elements) {

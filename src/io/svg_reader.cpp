@@ -14,6 +14,7 @@
 #include "io/svg_shapes.h"
 #include "io/svg_style.h"
 #include "io/svg_values.h"
+#include "io/svg_viewport.h"
 #include "tandem/error.h"
 
 namespace tandem {
@@ -23,8 +24,6 @@ namespace {
 /// Groups within groups, and uses of uses. Drawing programs reach twenty; the limit keeps the recursion
 /// short.
 constexpr int kDeepestNesting = 256;
-
-constexpr double kSmallestSize = 1e-300;  // of a view box
 
 /// How many elements <use> may draw, and how many bytes of path data, a multiple of the file's size: a file
 /// of a few lines can otherwise ask for billions.
@@ -53,7 +52,8 @@ class SvgReader {
     // unless there is nothing else.
     const auto painted = [](const Drawn& drawn) { return drawn.painted; };
     const bool any = std::any_of(drawn_.begin(), drawn_.end(), painted);
-    SvgPicture picture{{}, shown_};
+    if (!sheet_.unread_selector().empty()) miss(fmt::format("styles for \"{}\"", sheet_.unread_selector()));
+    SvgPicture picture{{}, shown_, missed_};
     for (Drawn& drawn : drawn_) {
       if (drawn.painted || !any) picture.elements.push_back(std::move(drawn.element));
     }
@@ -87,7 +87,7 @@ class SvgReader {
     if (node.type() != pugi::node_element) return;
     const std::string_view name = document_.name(node);
     const bool shape = is_svg_shape(name);
-    if (!shape && !is_container(name) && name != "use") return;
+    if (!shape && !is_container(name) && name != "use") return miss_element(name);
     count_use(node, shape);
     if (depth > kDeepestNesting) {
       document_.fail(node, fmt::format("elements are nested more than {} levels deep", kDeepestNesting));
@@ -98,6 +98,9 @@ class SvgReader {
     context.transform = context.transform * own_transform(node, declarations);
     const bool wanted = wanted_ && *wanted_ == node.attribute("id").value();
     inside_wanted_ += wanted ? 1 : 0;
+    if (!wanted_ || inside_wanted_ > 0) {
+      for (const std::string_view words : missed_by(declarations)) miss(std::string(words));
+    }
     if (shape) {
       draw_shape(node, name, context);
     } else if (name == "use") {
@@ -108,6 +111,16 @@ class SvgReader {
       draw_children(node, context, depth);
     }
     inside_wanted_ -= wanted ? 1 : 0;
+  }
+
+  void miss_element(std::string_view name) {
+    if (name != "text" && name != "image" && name != "foreignObject") return;
+    if (!wanted_ || inside_wanted_ > 0) miss(fmt::format("<{}>", name));
+  }
+
+  void miss(std::string words) {
+    if (std::find(missed_.begin(), missed_.end(), words) == missed_.end())
+      missed_.push_back(std::move(words));
   }
 
   static bool is_container(std::string_view name) {
@@ -194,72 +207,12 @@ class SvgReader {
     inside_wanted_ -= wanted ? 1 : 0;
   }
 
-  /// Establishes the viewport of an <svg> or <symbol>. The outermost one keeps its user units: an icon's
-  /// coordinates stay as they are written, whatever size it is to be shown at. False: it is of no size and
-  /// draws nothing.
+  /// False: it is of no size and draws nothing.
   bool enter_viewport(const pugi::xml_node& node, Context& context, bool outermost,
                       const pugi::xml_node& use) {
-    const std::optional<ViewBox> box = view_box(node);
-    if (outermost) {
-      context.viewport = {read_size(node, "width", SvgAxis::x, {}),
-                          read_size(node, "height", SvgAxis::y, {})};
-      if (box) context.viewport = {box->width, box->height};
-      show(box, context.viewport);
-      return true;
-    }
-    const SvgViewport outer = context.viewport;
-    SvgViewport size = {read_size(node, "width", SvgAxis::x, outer),
-                        read_size(node, "height", SvgAxis::y, outer)};
-    if (use && use.attribute("width")) size.width = read_size(use, "width", SvgAxis::x, outer);
-    if (use && use.attribute("height")) size.height = read_size(use, "height", SvgAxis::y, outer);
-    if (!size.width) size.width = outer.width;
-    if (!size.height) size.height = outer.height;
-    const double x = read_length(document_, node, "x", SvgAxis::x, outer).value_or(0.0);
-    const double y = read_length(document_, node, "y", SvgAxis::y, outer).value_or(0.0);
-    context.transform = context.transform * Transform::translate(x, y);
-    if (size.width == 0.0 || size.height == 0.0) return false;
-    context.viewport = size;
-    if (!box) return true;
-    if (box->width == 0.0 || box->height == 0.0) return false;
-    context.viewport = {box->width, box->height};
-    if (!size.width || !size.height) return true;  // shown at its own size, for want of another
-    try {
-      context.transform = context.transform * fit_view_box(*box, *size.width, *size.height,
-                                                           node.attribute("preserveAspectRatio").value());
-    } catch (const SyntaxError& error) {
-      document_.fail(node, "preserveAspectRatio", error);
-    }
+    if (!outermost) return enter_inner_viewport(document_, node, use, context.transform, context.viewport);
+    shown_ = enter_outermost_viewport(document_, node, context.viewport);
     return true;
-  }
-
-  /// The view box of what is drawn: as it is written, or the size that the picture has.
-  void show(const std::optional<ViewBox>& box, const SvgViewport& size) {
-    std::optional<ViewBox> shown = box;
-    if (!shown && size.width && size.height) shown = ViewBox{0.0, 0.0, *size.width, *size.height};
-    // Below the smallest coordinate that files have, pixels per unit overflow.
-    if (shown && shown->width >= kSmallestSize && shown->height >= kSmallestSize) shown_ = shown;
-  }
-
-  /// A percentage of an unknown size is unknown.
-  [[nodiscard]] std::optional<double> read_size(const pugi::xml_node& node, const char* attribute,
-                                                SvgAxis axis, const SvgViewport& outer) const {
-    const std::string_view text = node.attribute(attribute).value();
-    const bool unknown = axis == SvgAxis::x ? !outer.width : !outer.height;
-    if (unknown && text.find('%') != std::string_view::npos) return std::nullopt;
-    const std::optional<double> size = read_length(document_, node, attribute, axis, outer);
-    if (size && *size < 0.0)
-      document_.fail(node, attribute, {0, fmt::format("a size of {} is negative", *size)});
-    return size;
-  }
-
-  [[nodiscard]] std::optional<ViewBox> view_box(const pugi::xml_node& node) const {
-    const pugi::xml_attribute attribute = node.attribute("viewBox");
-    if (!attribute) return std::nullopt;
-    try {
-      return parse_view_box(attribute.value());
-    } catch (const SyntaxError& error) {
-      document_.fail(node, "viewBox", error);
-    }
   }
 
   [[nodiscard]] Transform own_transform(const pugi::xml_node& node, const Declarations& declarations) const {
@@ -294,6 +247,7 @@ class SvgReader {
   int inside_wanted_ = 0;
   std::vector<Drawn> drawn_;
   std::optional<ViewBox> shown_;
+  std::vector<std::string> missed_;
   std::vector<pugi::xml_node> used_;  ///< what the <use> elements around the current one refer to
   std::size_t used_elements_ = 0;
   std::size_t used_data_ = 0;

@@ -15,6 +15,7 @@ inline namespace v0 {
 struct SvgPicture {
   std::vector<SvgElement> elements;
   std::optional<ViewBox> view_box;
+  std::vector<std::string> missed;  ///< as Drawing::missed
 };
 
 /// parse_svg() and parse_svg_part(), with the view box of the outermost <svg>, or of the <symbol> that is

@@ -9,9 +9,23 @@ inline namespace v0 {
 namespace {
 
 constexpr std::array<std::string_view, kSvgProperties> kNames = {
-    "fill",         "stroke",         "fill-rule",       "display",          "visibility",
-    "transform",    "color",          "opacity",         "fill-opacity",     "stroke-opacity",
-    "stroke-width", "stroke-linecap", "stroke-linejoin", "stroke-miterlimit"};
+    "fill",         "stroke",         "fill-rule",       "display",           "visibility",
+    "transform",    "color",          "opacity",         "fill-opacity",      "stroke-opacity",
+    "stroke-width", "stroke-linecap", "stroke-linejoin", "stroke-miterlimit", "stroke-dasharray",
+    "clip-path",    "mask",           "filter",          "marker-start",      "marker-mid",
+    "marker-end"};
+
+struct Missed {
+  SvgProperty property;
+  std::string_view words;
+};
+constexpr std::array<Missed, 7> kMissed = {{{SvgProperty::stroke_dasharray, "dashes"},
+                                            {SvgProperty::clip_path, "a clip path"},
+                                            {SvgProperty::mask, "a mask"},
+                                            {SvgProperty::filter, "a filter"},
+                                            {SvgProperty::marker_start, "markers"},
+                                            {SvgProperty::marker_mid, "markers"},
+                                            {SvgProperty::marker_end, "markers"}}};
 
 // Strengths of the cascade (CSS Cascading and Inheritance 4, section 6): presentation attributes give way to
 // every rule; among rules ids beat classes beat names; the style attribute beats rules; !important beats all
@@ -169,7 +183,12 @@ void StyleSheet::add_rules(std::string_view selectors, std::string_view body) {
   read_declarations(body, 0, order_, declarations);
   for_each_part(selectors, ',', [&](std::string_view selector) {
     const int strength = selector_strength(selector);
-    if (strength < 0) return;
+    if (strength < 0) {
+      // :hover and its like say nothing of a picture at rest.
+      if (unread_selector_.empty() && selector.find(':') == std::string_view::npos)
+        unread_selector_ = selector;
+      return;
+    }
     Declarations& rule = rules_[std::string(selector)];
     for (std::size_t k = 0; k < kSvgProperties; ++k) {
       if (!declarations[k]) continue;
@@ -209,6 +228,27 @@ Declarations StyleSheet::cascade(const pugi::xml_node& node, std::string_view na
     apply(element + "#" + id, result);
   }
   read_declarations(node.attribute("style").value(), kStyleAttribute, 0, result);
+  return result;
+}
+
+std::vector<std::string_view> missed_by(const Declarations& own) {
+  std::vector<std::string_view> result;
+  for (const Missed& missed : kMissed) {
+    const auto& declaration = own[static_cast<std::size_t>(missed.property)];
+    if (!declaration || declaration->value.empty()) continue;
+    const bool none = equals_ignoring_case(declaration->value, "none") ||
+                      equals_ignoring_case(declaration->value, "inherit");
+    if (!none) result.push_back(missed.words);
+  }
+  for (const auto& declaration : own) {
+    if (declaration && declaration->value.substr(0, 4) == "var(") result.emplace_back("values by var()");
+  }
+  for (const SvgProperty property : {SvgProperty::fill, SvgProperty::stroke}) {
+    const auto& declaration = own[static_cast<std::size_t>(property)];
+    if (declaration && declaration->value.substr(0, 4) == "url(") {
+      result.emplace_back("gradients and patterns beyond their first colour");
+    }
+  }
   return result;
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <vector>
 
 #include "io/svg_document.h"
 #include "io/svg_values.h"
@@ -16,7 +17,8 @@
 namespace tandem {
 inline namespace v0 {
 
-/// The properties that decide what is drawn, where, and how.
+/// The properties that decide what is drawn, where, and how; those from stroke_dasharray on are not drawn,
+/// only missed.
 enum class SvgProperty {
   fill,
   stroke,
@@ -31,9 +33,16 @@ enum class SvgProperty {
   stroke_width,
   stroke_linecap,
   stroke_linejoin,
-  stroke_miterlimit
+  stroke_miterlimit,
+  stroke_dasharray,
+  clip_path,
+  mask,
+  filter,
+  marker_start,
+  marker_mid,
+  marker_end
 };
-inline constexpr std::size_t kSvgProperties = 14;
+inline constexpr std::size_t kSvgProperties = 21;
 
 /// A value and how strongly it is meant: the cascade keeps the strongest, and the later one of equals.
 struct Declaration {
@@ -58,15 +67,22 @@ class StyleSheet {
   /// What applies to an element: attributes, then rules, then its own style attribute.
   [[nodiscard]] Declarations cascade(const pugi::xml_node& node, std::string_view name) const;
 
+  /// The first selector that is not understood, and could apply to a picture at rest; empty without one.
+  [[nodiscard]] const std::string& unread_selector() const noexcept { return unread_selector_; }
+
  private:
   void read(std::string_view css);
   void add_rules(std::string_view selectors, std::string_view body);
   void apply(const std::string& key, Declarations& into) const;
 
   std::string css_;  ///< all style elements, without comments; the declarations point into it
+  std::string unread_selector_;
   unsigned order_ = 0;
   std::unordered_map<std::string, Declarations> rules_;
 };
+
+/// What an element asks for and is not drawn with, in words: "dashes", "a mask".
+[[nodiscard]] std::vector<std::string_view> missed_by(const Declarations& own);
 
 /// What an element has from its ancestors and its own declarations.
 struct SvgStyle {

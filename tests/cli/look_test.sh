@@ -43,6 +43,14 @@ has out.svg 'stroke-width="0"'
 expect 0 morph menu.svg cross.svg -o out.svg --at 1
 has_not out.svg 'stroke-width="0"'
 
+# What a file asks for and does not get is said, and only that.
+svg 'viewBox="0 0 24 24"' '<style>g > path { fill: red } path:hover { fill: blue }</style><defs><linearGradient id="g"><stop stop-color="red"/></linearGradient></defs>
+  <g stroke-dasharray="2"><path fill="url(#g)" d="M4 4H20V20H4Z"/></g><text>Hi</text><g stroke-dasharray="none" display="none"><path mask="url(#m)" d="M0 0H1V1Z"/></g>' >rich.svg
+expect 0 morph rich.svg red.svg -o out.svg
+err_has 'rich is drawn without dashes, gradients and patterns beyond their first colour, <text>, styles for "g > path"'
+expect 0 morph red.svg blue.svg -o out.svg
+err_empty
+
 # One contour that crosses itself keeps its rule.
 svg 'viewBox="0 0 24 24"' '<path fill-rule="evenodd" d="M12 1L19 22L1 9H23L5 22Z"/>' >pentagram.svg
 expect 0 morph pentagram.svg red.svg -o out.svg --at 0

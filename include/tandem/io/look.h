@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "tandem/io/style.h"
@@ -19,6 +20,8 @@ struct Drawing {
   std::optional<ViewBox> view_box;
   /// Its elements are drawn in several ways; `style` is the way in which the largest area is drawn.
   bool several_styles = false;
+  /// What its file asks for and is left out, in words: "<text>", "dashes". Each once, in document order.
+  std::vector<std::string> missed = {};
 };
 
 /// How a morph is drawn. Without styles: closed contours dark and filled, open ones as thin dark lines.
