@@ -149,12 +149,17 @@ function open_(data, shows) {
 }  // namespace
 
 std::string format_page(const Page& page) {
-  return replace_all(kHead, "%TITLE%", escape_html(page.title)) + page.style +
-         "</style>\n</head>\n<body>\n<main>\n<h1>" + escape_html(page.title) + "</h1>\n" + page.body +
-         "</main>\n<script type=\"application/json\" id=\"data\">\n" + page.data +
-         "\n</script>\n<script>\n\"use strict\";\nconst byId = (id) => document.getElementById(id);\n"
-         "const data = JSON.parse(byId(\"data\").textContent);\n" +
-         page.script + "</script>\n</body>\n</html>\n";
+  std::string text = replace_all(kHead, "%TITLE%", escape_html(page.title)) + page.style +
+                     "</style>\n</head>\n<body>\n<main>\n" +
+                     (page.lead.empty() ? "<h1>" + escape_html(page.title) + "</h1>" : page.lead) + '\n' +
+                     page.body + "</main>\n";
+  if (!page.script.empty()) {
+    text += "<script type=\"application/json\" id=\"data\">\n" + page.data +
+            "\n</script>\n<script>\n\"use strict\";\nconst byId = (id) => document.getElementById(id);\n"
+            "const data = JSON.parse(byId(\"data\").textContent);\n" +
+            page.script + "</script>\n";
+  }
+  return text + "</body>\n</html>\n";
 }
 
 std::string play_bar(const std::string& label, const std::string& more) {

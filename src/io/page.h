@@ -8,10 +8,11 @@ inline namespace v0 {
 /// What makes a page its own.
 struct Page {
   std::string title;
-  std::string style;   ///< rules beside those of all pages
-  std::string body;    ///< below the title
-  std::string data;    ///< JSON, in the element with the id "data"
-  std::string script;  ///< run with `data`, parsed, and byId()
+  std::string style;      ///< rules beside those of all pages
+  std::string body;       ///< below the title
+  std::string data;       ///< JSON, in the element with the id "data"
+  std::string script;     ///< run with `data`, parsed, and byId(); empty: the page is at rest, without data
+  std::string lead = {};  ///< the title and what stands beside it, in HTML; empty: the title alone
 };
 
 /// A self-contained page without network, in light and dark.

@@ -10,32 +10,16 @@
 
 #include "io/html.h"
 #include "io/number.h"
+#include "io/page.h"
 
 namespace tandem {
 inline namespace v0 {
 namespace {
 
-constexpr const char* kHead = R"page(<!DOCTYPE html>
-<html lang="en">
-<head>
-<meta charset="utf-8">
-<meta name="viewport" content="width=device-width, initial-scale=1">
-<meta http-equiv="Content-Security-Policy" content="default-src 'none'; style-src 'unsafe-inline'; img-src data:">
-<meta name="color-scheme" content="light dark">
-<link rel="icon" href="data:,">
-<title>%TITLE%</title>
-<style>
-:root { --page: #f4f2ee; --card: #fffefb; --line: #e2ded6; --ink: #232a36; --soft: #6d7482; --shape: #c9ced8; --query: #c2562f; }
-@media (prefers-color-scheme: dark) {
-  :root { --page: #14171c; --card: #1b1f26; --line: #2c323c; --ink: #e7e9ee; --soft: #98a1b0; --shape: #3c4552; --query: #f0a37f; }
-}
-* { box-sizing: border-box; }
-body { margin: 0; padding: clamp(.75rem, 2.5vw, 2rem); background: var(--page); color: var(--ink);
-  font: 15px/1.45 system-ui, "Segoe UI", Roboto, sans-serif; }
-main { max-width: 72rem; margin: 0 auto; }
-header { display: flex; gap: 1.2rem; align-items: center; margin-bottom: 1.2rem; }
+constexpr const char* kStyle = R"page(:root { --width: 72rem; --shape: #c9ced8; }
+@media (prefers-color-scheme: dark) { :root { --shape: #3c4552; } }
+header { display: flex; gap: 1.2rem; align-items: center; }
 header svg { width: 8rem; flex: none; }
-h1 { margin: 0 0 .2rem; font-size: 1.15rem; font-weight: 600; overflow-wrap: anywhere; }
 p { margin: 0; color: var(--soft); }
 ol { list-style: none; margin: 0; padding: 0; display: grid; gap: .7rem;
   grid-template-columns: repeat(auto-fill, minmax(9.5rem, 1fr)); }
@@ -44,17 +28,13 @@ svg { display: block; width: 100%; aspect-ratio: 1; overflow: visible; }
 li svg { padding: .3rem; }
 .shape { fill: var(--shape); }
 .open { fill: none; stroke: var(--soft); stroke-width: .03; }
-.query { fill: none; stroke: var(--query); stroke-width: .014; stroke-linejoin: round; }
+.query { fill: none; stroke: var(--to); stroke-width: .014; stroke-linejoin: round; }
 header .shape { fill: var(--ink); }
 header .open { stroke: var(--ink); }
 .cost { display: flex; justify-content: space-between; font-variant-numeric: tabular-nums; }
 .cost b { font-weight: 600; }
 .cost span, .how { color: var(--soft); }
 .name, .how { font-size: .8rem; overflow: hidden; text-overflow: ellipsis; white-space: nowrap; }
-</style>
-</head>
-<body>
-<main>
 )page";
 
 struct Vertex {
@@ -148,23 +128,27 @@ std::string how(const Comparison& comparison) {
 }  // namespace
 
 std::string format_rank_page(const ShapeDescriptor& query, const Ranking& ranking, const std::string& title) {
-  std::string page = replace_all(kHead, "%TITLE%", escape_html(title));
-  page += fmt::format(
+  Page page;
+  page.title = title;
+  page.style = kStyle;
+  page.lead = fmt::format(
       "<header>{}<div><h1>{}</h1><p>The best {} of {} candidates. The query lies over each "
-      "shape as an outline.</p></div></header>\n<ol>\n",
+      "shape as an outline.</p></div></header>",
       picture(query, nullptr, nullptr), escape_html(title), ranking.best.size(), ranking.candidates);
+  page.body = "<ol>\n";
   for (std::size_t k = 0; k < ranking.best.size(); ++k) {
     const RankedShape& each = ranking.best[k];
     const std::string name = escape_html(each.name);
     // The end of a path tells files apart; the whole of it is in the tooltip.
     const std::string last = escape_html(each.name.substr(each.name.find_last_of('/') + 1));
-    page += fmt::format(R"(<li>{}<div class="cost"><b>{:.4f}</b><span>{}</span></div>)"
-                        R"(<div class="how">{}</div><div class="name" title="{}">{}</div></li>)"
-                        "\n",
-                        each.shape ? picture(*each.shape, &query, &each.comparison) : "",
-                        each.comparison.cost, k + 1, how(each.comparison), name, last);
+    page.body += fmt::format(R"(<li>{}<div class="cost"><b>{:.4f}</b><span>{}</span></div>)"
+                             R"(<div class="how">{}</div><div class="name" title="{}">{}</div></li>)"
+                             "\n",
+                             each.shape ? picture(*each.shape, &query, &each.comparison) : "",
+                             each.comparison.cost, k + 1, how(each.comparison), name, last);
   }
-  return page + "</ol>\n</main>\n</body>\n</html>\n";
+  page.body += "</ol>\n";
+  return format_page(page);
 }
 
 }  // namespace v0
