@@ -52,6 +52,7 @@ Plan make_plan(const Command& command) {
 Status run(const Command& command) {
   const Plan plan = make_plan(command);
   const Messages messages(command.common.quiet);
+  note_idle_flags(command, plan.output, messages);
   check_standard_input(command);
   if (const auto motions = load_motions(command, plan.output.format, messages)) {
     return morph_motions(command, *motions, plan.output, plan.morph, messages);

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <initializer_list>
+#include <utility>
 
 #include "easing.h"
 #include "frames.h"
@@ -101,6 +103,28 @@ void plan_animation(const Command& command, MorphOutput& plan) {
 }
 
 }  // namespace
+
+void note_idle_flags(const Command& command, const MorphOutput& plan, const Messages& messages) {
+  const auto is = [&](std::initializer_list<Format> formats) {
+    return std::find(formats.begin(), formats.end(), plan.format) != formats.end();
+  };
+  const bool moves = !plan.still && is({Format::svg, Format::html, Format::css, Format::lottie,
+                                        Format::animated_vector, Format::gif});
+  const std::array<std::pair<const char*, bool>, 7> works = {{
+      {"--frames", is({Format::json, Format::directory, Format::gif})},
+      {"--duration", moves},
+      {"--easing", moves},
+      {"--play", moves},
+      {"--size", is({Format::gif, Format::png, Format::lottie, Format::css}) || plan.png_frames},
+      {"--css", is({Format::css})},
+      {"--name", is({Format::css})},
+  }};
+  for (const auto& [flag, does] : works) {
+    if (!does && command.app->count(flag) > 0) {
+      messages.note(fmt::format("{} changes nothing in what is written here", flag));
+    }
+  }
+}
 
 void add_morph_output_flags(Command& command) {
   CLI::App& app = *command.app;

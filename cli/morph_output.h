@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "commands.h"
+#include "messages.h"
 #include "output.h"
 #include "tandem/io/animation.h"
 #include "tandem/io/css.h"
@@ -32,6 +33,9 @@ void add_morph_output_flags(Command& command);
 
 /// @throws UsageError options that do not go together, or values that cannot be
 [[nodiscard]] MorphOutput plan_morph_output(const Command& command);
+
+/// Says which of the options that were given have no say in this output: a still picture has no duration.
+void note_idle_flags(const Command& command, const MorphOutput& plan, const Messages& messages);
 
 /// Planar in-betweens. reports: members of the JSON object, `"report": {...}`.
 void write_morph(const Command& command, const MorphOutput& plan, const tandem::PathMorph& paths,

@@ -300,6 +300,17 @@ out_has '"direction": ?"reversed"'
 
 only ANIM.SVG a.svg back.json c.svg f.json m.json m.svg motion.csv p.html parts.svg sheet.svg space.itd space.json \
   still.svg two.svg
+# An option that has no say is mentioned, and nothing is where all have one.
+expect 0 morph "$square" "$triangle" -o idle.svg --at 0.5 --play once
+err_has 'note: --play changes nothing'
+expect 0 morph "$square" "$triangle" -o idle.svg --frames 9 --size 64 --name walk
+err_has '--frames changes nothing.*--size changes nothing.*--name changes nothing'
+expect 0 morph "$square" "$triangle" -o idle.svg --play once --duration 1 --easing ease --precision 2
+err_empty
+expect 0 morph "$square" "$triangle" -o idle.gif --play once --frames 9 --duration 1 --size 64
+err_empty
+rm idle.svg idle.gif
+
 # Perpendicular at one end alone: valid on all of the length but a point, which is not all.
 expect 0 match 'M0 0L10 0' 'M0 0C5.5 0 10 4.5 10 10'
 out_has 'valid +no .*over 99\.99 % of the length'
