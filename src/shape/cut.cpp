@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <iterator>
 #include <limits>
+#include <map>
 #include <numeric>
 #include <utility>
 
@@ -77,7 +77,7 @@ struct Wish {
 
 struct Plan {
   double cost = std::numeric_limits<double>::infinity();
-  std::vector<std::pair<std::size_t, CutPiece>> pieces;
+  std::map<std::size_t, CutPiece> pieces;  ///< by the target that each becomes
 };
 
 // Whether more than half of the hole's joints lie in the polygon through the path's control points: a hole
@@ -137,7 +137,7 @@ class Cutter {
     Plan best;
     if (group.size() == 1) {
       best.cost = misfit(boundary.whole(), wish_of(boundary, group));
-      best.pieces.emplace_back(group.front(), std::move(piece));
+      best.pieces.emplace(group.front(), std::move(piece));
       return best;
     }
     for (const Halving& halving : choose(boundary, group)) {
@@ -154,7 +154,7 @@ class Cutter {
       if (!(cost < best.cost)) continue;
       best.cost = cost;
       best.pieces = std::move(first.pieces);
-      std::move(second.pieces.begin(), second.pieces.end(), std::back_inserter(best.pieces));
+      best.pieces.merge(second.pieces);
     }
     return best;
   }
@@ -289,8 +289,6 @@ std::vector<CutPiece> cut_contour(const CubicPath& contour, std::span<const Piec
                                   std::span<const CubicPath> holes, const CutOptions& options) {
   check(contour, targets, holes, options);
   Plan plan = Cutter(contour, targets, holes, options).run(contour);
-  std::sort(plan.pieces.begin(), plan.pieces.end(),
-            [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<CutPiece> pieces;
   for (auto& [target, piece] : plan.pieces) pieces.push_back(std::move(piece));
   return pieces;
