@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 
+#include "morph/drawing_mirror.h"
 #include "morph/length_center.h"
 #include "tandem/curve/arc_length.h"
 #include "tandem/curve/bounding_box.h"
@@ -24,6 +27,11 @@ constexpr double kChildWeight = 0.3;     // per hole that is too many
 constexpr double kOtherKind = 4.0;
 // Per contour that is left over.
 constexpr double kLonely = 1.0;
+// What it is worth to keep one of the axes of symmetry that both drawings have: as much as a contour, and
+// more than any distance between a contour and its neighbour.
+constexpr double kLopsided = 1.0;
+// Axes of two drawings are parallel within this angle, in degrees.
+constexpr double kParallel = 2.0;
 
 /// A drawing's contours as pairing sees them.
 struct Drawing {
@@ -32,11 +40,14 @@ struct Drawing {
   std::vector<std::size_t> child_counts;
   std::vector<Point> centers;
   std::vector<double> lengths;
+  std::vector<DrawingMirror> mirrors;
   Point center;
   double size = 0.0;
 
   explicit Drawing(std::span<const CubicPath> paths)
-      : nesting(find_nesting(paths, FillRule::nonzero)), child_counts(paths.size(), 0) {
+      : nesting(find_nesting(paths, FillRule::nonzero)),
+        child_counts(paths.size(), 0),
+        mirrors(find_drawing_mirrors(paths)) {
     Box box;
     for (const CubicPath& path : paths) {
       curves.push_back(to_curve(path));
@@ -61,10 +72,33 @@ struct Drawing {
   }
 };
 
+/// An axis that both drawings have: the mirror images of their contours.
+struct CommonMirror {
+  const std::vector<std::size_t>& of_a;
+  const std::vector<std::size_t>& of_b;
+};
+
+/// Who becomes whom, and what that costs.
+struct Partners {
+  std::vector<std::optional<std::size_t>> of_a;
+  double cost = 0.0;
+  std::size_t lonely = 0;  ///< of both drawings, without a partner
+
+  // Whether the mirror image of each contour becomes the mirror image of what the contour becomes.
+  [[nodiscard]] bool keeps(const CommonMirror& mirror) const {
+    for (std::size_t i = 0; i < of_a.size(); ++i) {
+      const std::optional<std::size_t> image = of_a[mirror.of_a[i]];
+      if (of_a[i].has_value() != image.has_value()) return false;
+      if (image && *image != mirror.of_b[*of_a[i]]) return false;
+    }
+    return true;
+  }
+};
+
 class Pairing {
  public:
   Pairing(const Drawing& a, const Drawing& b, const Rotation& turn, const MatchOptions& options)
-      : a_(a), b_(b), turn_(turn), options_(options), partner_(a.curves.size()) {
+      : a_(a), b_(b), turn_(turn), options_(options) {
     options_.samples = {kSurveySamples, kSurveySamples};
     options_.rotation = turn.values();
     options_.progress = {};
@@ -73,30 +107,130 @@ class Pairing {
     if (options_.method == Method::segments) options_.method = Method::elastic;
   }
 
-  std::vector<std::optional<std::size_t>> run() {
-    pair_up({}, {});
-    return partner_;
+  // The cheapest, or one that costs little more, leaves no more contours alone, and keeps an axis of
+  // symmetry.
+  Partners run() {
+    Partners best = none();
+    pair_up({}, {}, best);
+    add_lonely(best);
+    const std::vector<CommonMirror> mirrors = common_mirrors();
+    const auto kept = [&](const CommonMirror& mirror) { return best.keeps(mirror); };
+    if (mirrors.empty() || std::any_of(mirrors.begin(), mirrors.end(), kept)) return best;
+    double most = best.cost + kLopsided;
+    for (const CommonMirror& mirror : mirrors) {
+      Partners even = none();
+      pair_evenly({}, {}, mirror, even);
+      add_lonely(even);
+      if (even.lonely > best.lonely || !(even.cost < most)) continue;
+      most = even.cost;
+      best = std::move(even);
+    }
+    return best;
   }
-  /// Of the pairs that run() made.
-  [[nodiscard]] double cost() const noexcept { return cost_; }
 
  private:
-  void pair_up(std::optional<std::size_t> parent_a, std::optional<std::size_t> parent_b) {
-    const std::vector<std::size_t> rows = a_.children(parent_a);
-    const std::vector<std::size_t> columns = b_.children(parent_b);
+  using Members = std::vector<std::size_t>;
+
+  [[nodiscard]] Partners none() const { return {std::vector<std::optional<std::size_t>>(a_.curves.size())}; }
+
+  void add_lonely(Partners& partners) const {
+    std::size_t pairs = 0;
+    for (const auto& partner : partners.of_a) pairs += partner ? 1 : 0;
+    partners.lonely = a_.curves.size() + b_.curves.size() - 2 * pairs;
+    partners.cost += kLonely * static_cast<double>(partners.lonely);
+  }
+
+  [[nodiscard]] std::vector<CommonMirror> common_mirrors() const {
+    std::vector<CommonMirror> found;
+    for (const DrawingMirror& p : a_.mirrors) {
+      for (const DrawingMirror& q : b_.mirrors) {
+        const double apart = q.degrees - turn_.degrees() - p.degrees;
+        if (std::fabs(apart - 180.0 * std::round(apart / 180.0)) <= kParallel) {
+          found.push_back({p.images, q.images});
+        }
+      }
+    }
+    return found;
+  }
+
+  void pair(std::size_t i, std::size_t j, Partners& partners) {
+    partners.of_a[i] = j;
+    partners.cost += known_cost(i, j);
+  }
+
+  void pair_up(std::optional<std::size_t> parent_a, std::optional<std::size_t> parent_b, Partners& partners) {
+    const Members rows = a_.children(parent_a);
+    const Members columns = b_.children(parent_b);
     if (rows.empty() || columns.empty()) return;
     std::vector<double> costs;
     for (const std::size_t i : rows) {
-      for (const std::size_t j : columns) costs.push_back(cost(i, j));
+      for (const std::size_t j : columns) costs.push_back(known_cost(i, j));
     }
     const auto assigned = assign(costs, rows.size(), columns.size());
     for (std::size_t r = 0; r < rows.size(); ++r) {
       if (!assigned[r]) continue;
-      const std::size_t j = columns[*assigned[r]];
-      partner_[rows[r]] = j;
-      cost_ += costs[r * columns.size() + *assigned[r]];
-      pair_up(rows[r], j);
+      pair(rows[r], columns[*assigned[r]], partners);
+      pair_up(rows[r], columns[*assigned[r]], partners);
     }
+  }
+
+  // The same where parents are their own mirror images: contours that are so, too, with such ones, and two
+  // that are each other's with two such.
+  void pair_evenly(std::optional<std::size_t> parent_a, std::optional<std::size_t> parent_b,
+                   const CommonMirror& mirror, Partners& partners) {
+    for (const bool alone : {true, false}) {
+      // Of two, the first.
+      const auto kind = [alone](Members members, const std::vector<std::size_t>& images) {
+        members.erase(std::remove_if(members.begin(), members.end(),
+                                     [&](std::size_t i) { return alone ? images[i] != i : images[i] <= i; }),
+                      members.end());
+        return members;
+      };
+      const Members rows = kind(a_.children(parent_a), mirror.of_a);
+      const Members columns = kind(b_.children(parent_b), mirror.of_b);
+      if (rows.empty() || columns.empty()) continue;
+      std::vector<double> costs;
+      std::vector<bool> crossed;  // the first with the other one
+      for (const std::size_t i : rows) {
+        for (const std::size_t j : columns) {
+          const std::size_t of_i = mirror.of_a[i];
+          const std::size_t of_j = mirror.of_b[j];
+          const double straight = known_cost(i, j) + (alone ? 0.0 : known_cost(of_i, of_j));
+          const double across = alone ? straight : known_cost(i, of_j) + known_cost(of_i, j);
+          crossed.push_back(across < straight - kRounding);
+          costs.push_back(std::min(straight, across));
+        }
+      }
+      const auto assigned = assign(costs, rows.size(), columns.size());
+      for (std::size_t r = 0; r < rows.size(); ++r) {
+        if (!assigned[r]) continue;
+        const std::size_t i = rows[r];
+        const std::size_t first = columns[*assigned[r]];
+        const std::size_t j = crossed[r * columns.size() + *assigned[r]] ? mirror.of_b[first] : first;
+        pair(i, j, partners);
+        if (alone) {
+          pair_evenly(i, j, mirror, partners);
+        } else {
+          pair(mirror.of_a[i], mirror.of_b[j], partners);
+          pair_up(i, j, partners);
+          mirror_children(i, mirror, partners);
+        }
+      }
+    }
+  }
+
+  // What lies in the mirror image of a contour becomes the mirror images of what its own becomes.
+  void mirror_children(std::size_t parent, const CommonMirror& mirror, Partners& partners) {
+    for (const std::size_t child : a_.children(parent)) {
+      if (!partners.of_a[child]) continue;
+      pair(mirror.of_a[child], mirror.of_b[*partners.of_a[child]], partners);
+      mirror_children(child, mirror, partners);
+    }
+  }
+
+  double known_cost(std::size_t i, std::size_t j) {
+    const auto known = costs_.find({i, j});
+    return known != costs_.end() ? known->second : costs_.emplace(std::pair{i, j}, cost(i, j)).first->second;
   }
 
   [[nodiscard]] double cost(std::size_t i, std::size_t j) const {
@@ -131,12 +265,12 @@ class Pairing {
   }
 
   static constexpr double kTiny = 1e-300;
+  static constexpr double kRounding = 1e-9;  // so that it does not choose
   const Drawing& a_;
   const Drawing& b_;
   const Rotation& turn_;
   MatchOptions options_;
-  std::vector<std::optional<std::size_t>> partner_;
-  double cost_ = 0.0;
+  std::map<std::pair<std::size_t, std::size_t>, double> costs_;
 };
 
 }  // namespace
@@ -146,22 +280,15 @@ ContourPairing pair_contours(std::span<const CubicPath> a, std::span<const Cubic
   if (a.size() == 1 && b.size() == 1) return {{{std::size_t{0}, std::size_t{0}}}, 0.0};
   const Drawing first(a);
   const Drawing second(b);
-  Pairing pairing(first, second, turn, options);
-  const std::vector<std::optional<std::size_t>> partner = pairing.run();
-  ContourPairing found{{}, pairing.cost()};
+  const Partners partners = Pairing(first, second, turn, options).run();
+  ContourPairing found{{}, partners.cost};
   std::vector<bool> taken(b.size(), false);
   for (std::size_t i = 0; i < a.size(); ++i) {
-    found.pairs.push_back({i, partner[i]});
-    if (partner[i]) {
-      taken[*partner[i]] = true;
-    } else {
-      found.cost += kLonely;
-    }
+    found.pairs.push_back({i, partners.of_a[i]});
+    if (partners.of_a[i]) taken[*partners.of_a[i]] = true;
   }
   for (std::size_t j = 0; j < b.size(); ++j) {
-    if (taken[j]) continue;
-    found.pairs.push_back({{}, j});
-    found.cost += kLonely;
+    if (!taken[j]) found.pairs.push_back({{}, j});
   }
   return found;
 }

@@ -27,8 +27,9 @@ struct ContourPairing {
 
 /// Pairs the contours of a drawing with those of another by optimal assignment (spec B2): solids with solids,
 /// holes with holes of the solids that were paired, strokes with strokes. What a pair costs is its match, how
-/// far apart the two lie in their drawings, seen turned by `turn`, and how much they differ in size.
-/// All of a come first, in their order, then what is left of b.
+/// far apart the two lie in their drawings, seen turned by `turn`, and how much they differ in size. Where
+/// the drawings have an axis of symmetry in common, contours that are each other's mirror images become such
+/// ones if that costs little more. All of a come first, in their order, then what is left of b.
 [[nodiscard]] ContourPairing pair_contours(std::span<const CubicPath> a, std::span<const CubicPath> b,
                                            const Rotation& turn, const MatchOptions& options);
 
