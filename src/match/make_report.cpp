@@ -38,12 +38,6 @@ std::vector<double> identity_rotation(int dim) {
   return matrix;
 }
 
-/// Samples of b between the starts of the two curves, in [0, m2).
-int shift_of(const Node& first, int m1, int m2) {
-  const int along = static_cast<int>(std::floor(static_cast<double>(first.i) * m2 / m1 + 0.5));
-  return ((first.j - along) % m2 + m2) % m2;
-}
-
 /// Which nodes of a path the paper's test calls invalid.
 void count_invalid(MatchReport& report, const Samples& a, const Samples& b, const Path& path, bool closed,
                    const MatchOptions& options) {
@@ -80,6 +74,12 @@ void count_invalid(MatchReport& report, const Samples& a, const Samples& b, cons
 }
 
 }  // namespace
+
+// Samples of b between the starts of the two curves, in [0, m2).
+int shift_of(const Node& first, int m1, int m2) {
+  const int along = static_cast<int>(std::floor(static_cast<double>(first.i) * m2 / m1 + 0.5));
+  return ((first.j - along) % m2 + m2) % m2;
+}
 
 MatchReport make_report(const Samples& a, const SearchResult& found, const MatchOptions& options,
                         Layout layout) {

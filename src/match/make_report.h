@@ -15,6 +15,9 @@ namespace detail {
 /// The same of matched segments.
 [[nodiscard]] MatchReport make_report(const SegmentMatch& found, int dim, const MatchOptions& options);
 
+/// MatchReport::shift of a path that starts at this node of m1 and m2.
+[[nodiscard]] int shift_of(const Node& first, int m1, int m2);
+
 }  // namespace detail
 }  // namespace v0
 }  // namespace tandem

@@ -8,6 +8,7 @@
 
 #include "match/find_rotation.h"
 #include "match/make_report.h"
+#include "match/match_along.h"
 #include "match/match_samples.h"
 #include "match/path_correspondence.h"
 #include "match/pins.h"
@@ -151,6 +152,29 @@ struct Found {
   MatchReport report;  ///< all but the fit and what follows it
 };
 
+// Where a point of the correspondence lies in a corner of either curve, within this share of its domain.
+constexpr double kAtCorner = 1e-6;
+
+std::vector<double> corners_of(const Correspondence& c, const Samples& a, const Samples& b) {
+  const auto in_corner = [](const Samples& samples, double at) {
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      if (!samples.corners[i]) continue;
+      const double off = samples.parameters[i] - at;
+      const double period = samples.domain.length();
+      const double least = samples.cyclic ? std::remainder(off, period) : off;
+      if (std::fabs(least) <= kAtCorner * period) return true;
+    }
+    return false;
+  };
+  std::vector<double> corners;
+  for (const ParameterPair& p : c.points) {
+    const double v = c.reversed ? b.domain.lo + (b.domain.hi - p.v) : p.v;
+    if (!in_corner(a, p.u) && !in_corner(b, v)) continue;
+    corners.push_back(c.closed && p.u >= c.domain_u.hi ? p.u - c.domain_u.length() : p.u);
+  }
+  return corners;
+}
+
 /// From the path to curves in step.
 Match finish(const Curve& a, const Curve& b, const MatchOptions& options, Layout layout, Found found) {
   Stopwatch watch;
@@ -230,6 +254,38 @@ Match match_sampled(const Curve& a, const Curve& b, const MatchOptions& options,
                     const MatchSamples& samples) {
   check_curves(a, b, options);
   return match_by_samples(a, b, options, samples.fine, samples.coarse, samples.layout, 0.0);
+}
+
+Match match_along(const Curve& a, const Curve& b, const MatchOptions& options, Match found,
+                  Correspondence along) {
+  const Layout layout = choose_layout(a, b, options.closed);
+  std::vector<double> corners = corners_of(along, found.samples_a, found.samples_b);
+  SamplePair samples{std::move(found.samples_a), std::move(found.samples_b)};
+  if (along.reversed) samples.b = reversed(samples.b);
+  return finish(a, b, options, layout,
+                {std::move(samples), {std::move(along), std::move(corners)}, std::move(found.report)});
+}
+
+Match inverse_match(const Curve& a, const Curve& b, const MatchOptions& options, Match found) {
+  MatchReport& report = found.report;
+  const bool turned_round = found.correspondence.reversed;
+  std::swap(found.samples_a, found.samples_b);
+  if (turned_round) {  // the second ones run backwards
+    found.samples_a = reversed(found.samples_a);
+    found.samples_b = reversed(found.samples_b);
+  }
+  std::swap(report.samples[0], report.samples[1]);
+  for (Node& node : report.path) {
+    node = turned_round ? Node{report.samples[0] - 1 - node.j, report.samples[1] - 1 - node.i}
+                        : Node{node.j, node.i};
+  }
+  if (turned_round) std::reverse(report.path.begin(), report.path.end());
+  if (!report.path.empty() && found.correspondence.closed) {
+    report.shift = shift_of(report.path.front(), report.samples[0], report.samples[1]);
+  }
+  report.rotation = Rotation(a.dim(), report.rotation).inverse().values();
+  Correspondence along = found.correspondence.inverse();
+  return match_along(b, a, options, std::move(found), std::move(along));
 }
 
 }  // namespace detail

@@ -8,6 +8,7 @@
 
 #include "morph/chosen_times.h"
 #include "morph/length_center.h"
+#include "morph/made_steps.h"
 #include "morph/smooth_steps.h"
 #include "morph/step_blend.h"
 #include "morph/step_search.h"
@@ -24,6 +25,8 @@ using detail::ContourDetour;
 using detail::ContourEnds;
 using detail::FoundContour;
 using detail::FoundStep;
+using detail::GivenKey;
+using detail::MadeStep;
 using detail::StepBlend;
 
 // How far a line's handles may stand off the thirds, as a share of the diagonal: the same bound by which ends
@@ -166,12 +169,44 @@ class Builder {
   explicit Builder(const MorphOptions& options) : options_(options) {}
 
   // False when cancelled.
-  bool add(std::vector<CubicPath> key, Vec2 center) {
-    if (tracks_.empty()) {
-      center_ = center;
-      for (CubicPath& path : key) tracks_.push_back({{std::move(path)}, tracks_.size(), true});
-      return true;
+  bool add(GivenKey key) {
+    if (keys_.empty()) {
+      for (const CubicPath& path : key.contours) tracks_.push_back({{path}, tracks_.size(), true});
+    } else if (const auto again = find_again(keys_, key, [&](std::size_t k) { return joints_are_of(k); })) {
+      repeat(again->step, again->back);
+    } else if (!find(key)) {
+      return false;
     }
+    keys_.push_back(std::move(key));
+    return true;
+  }
+
+  [[nodiscard]] const std::vector<Track>& tracks() const { return tracks_; }
+  [[nodiscard]] const std::vector<MadeStep>& steps() const { return steps_; }
+
+ private:
+  // Whether every contour has the joints in the last key that it has in this one.
+  [[nodiscard]] bool joints_are_of(std::size_t key) const {
+    return std::all_of(tracks_.begin(), tracks_.end(),
+                       [&](const Track& track) { return track.keys.back() == track.keys[key]; });
+  }
+
+  // A step that was made before, one way or the other: a loop there and back again closes.
+  void repeat(std::size_t j, bool back) {
+    MadeStep step = back ? reversed(steps_[j], keys_[j + 1].contours, options_.match) : steps_[j];
+    step.contours.resize(tracks_.size());
+    step.detours.resize(tracks_.size());
+    for (std::size_t t = 0; t < tracks_.size(); ++t) {
+      Track& track = tracks_[t];
+      CubicPath path = track.keys[back ? j : j + 1];
+      track.keys.push_back(std::move(path));
+      track.alive = step.contours[t].b.has_value();
+      if (track.alive) track.source = *step.contours[t].b;
+    }
+    steps_.push_back(std::move(step));
+  }
+
+  bool find(const GivenKey& key) {
     std::vector<CubicPath> a;
     std::vector<std::size_t> track_of;
     for (std::size_t t = 0; t < tracks_.size(); ++t) {
@@ -179,53 +214,48 @@ class Builder {
       a.push_back(tracks_[t].keys.back());
       track_of.push_back(t);
     }
-    std::optional<FoundStep> step = detail::find_step({a, center_}, {key, center}, options_);
-    if (!step) return false;
-    if (tracks_.front().keys.size() == 1) {
-      begin(*std::move(step));
+    std::optional<FoundStep> found =
+        detail::find_step({a, keys_.back().center}, {key.contours, key.center}, options_);
+    if (!found) return false;
+    std::vector<FoundContour> contours = std::move(found->candidate.contours);
+    steps_.push_back({{}, found->kind, found->candidate.frame, {}, {}});
+    if (keys_.size() == 1) {
+      begin(std::move(contours), a);
     } else {
-      append(*std::move(step), track_of);
+      append(std::move(contours), track_of);
     }
-    center_ = center;
     return true;
   }
 
-  [[nodiscard]] const std::vector<Track>& tracks() const { return tracks_; }
-  [[nodiscard]] const std::vector<FoundStep>& steps() const { return steps_; }
-  [[nodiscard]] const std::vector<std::vector<ContourStep>>& contours() const { return contours_; }
-  [[nodiscard]] const std::vector<std::vector<ContourDetour>>& detours() const { return detours_; }
-
- private:
   // The first step makes the tracks: the first key's contours, or their pieces, in its order, then the
   // others.
-  void begin(FoundStep step) {
+  void begin(std::vector<FoundContour> found, const std::vector<CubicPath>& a) {
     tracks_.clear();
-    std::vector<FoundContour>& found = step.candidate.contours;
     std::stable_sort(found.begin(), found.end(), [](const FoundContour& x, const FoundContour& y) {
       return x.a && (!y.a || *x.a < *y.a);
     });
-    contours_.emplace_back();
-    detours_.emplace_back();
+    MadeStep& step = steps_.back();
     for (FoundContour& contour : found) {
       ContourEnds drawn = contour.drawn();
       tracks_.push_back(
           {{std::move(drawn.a), std::move(drawn.b)}, contour.b.value_or(0), contour.b.has_value(), {}});
       if (contour.outline_a || contour.outline_b) tracks_.back().piece = std::move(contour.ends);
-      contours_.back().push_back({contour.a, contour.b, std::move(contour.match)});
-      detours_.back().push_back(contour.detour);
+      step.firsts.push_back(contour.a ? std::optional(a[*contour.a]) : std::nullopt);
+      step.contours.push_back({contour.a, contour.b, std::move(contour.match)});
+      step.detours.push_back(contour.detour);
     }
-    found.clear();
-    steps_.push_back(std::move(step));
   }
 
-  void append(FoundStep step, const std::vector<std::size_t>& track_of) {
+  void append(std::vector<FoundContour> contours, const std::vector<std::size_t>& track_of) {
     const std::size_t before = tracks_.front().keys.size();
-    std::vector<ContourStep> contours(tracks_.size());
+    MadeStep& step = steps_.back();
+    step.firsts.resize(tracks_.size());
+    step.contours.resize(tracks_.size());
+    step.detours.resize(tracks_.size());
     for (Track& track : tracks_) {  // those that are dead stay where they died
       if (!track.alive) track.keys.push_back(track.keys.back());
     }
-    std::vector<ContourDetour> detours(tracks_.size());
-    for (FoundContour& found : step.candidate.contours) {
+    for (FoundContour& found : contours) {
       ContourStep told{{}, found.b, std::move(found.match)};
       if (!found.a) {  // a point in all keys before
         Track track;
@@ -233,11 +263,14 @@ class Builder {
         track.keys.push_back(found.ends.b);
         track.source = *found.b;
         tracks_.push_back(std::move(track));
-        contours.push_back(std::move(told));
-        detours.push_back(found.detour);
+        step.firsts.emplace_back();
+        step.contours.push_back(std::move(told));
+        step.detours.push_back(found.detour);
         continue;
       }
-      Track& track = tracks_[track_of[*found.a]];
+      const std::size_t t = track_of[*found.a];
+      Track& track = tracks_[t];
+      step.firsts[t] = track.keys.back();
       if (!found.cuts.empty()) {
         for (CubicPath& earlier : track.keys) earlier = cut_at(earlier, found.cuts, found.ends.a.is_closed());
       }
@@ -245,21 +278,15 @@ class Builder {
       told.a = track.source;
       track.alive = found.b.has_value();
       if (found.b) track.source = *found.b;
-      contours[track_of[*found.a]] = std::move(told);
-      detours[track_of[*found.a]] = found.detour;
+      step.contours[t] = std::move(told);
+      step.detours[t] = found.detour;
     }
-    contours_.push_back(std::move(contours));
-    detours_.push_back(std::move(detours));
-    step.candidate.contours.clear();
-    steps_.push_back(std::move(step));
   }
 
   const MorphOptions& options_;
-  Vec2 center_;  ///< of the last key
+  std::vector<GivenKey> keys_;
   std::vector<Track> tracks_;
-  std::vector<FoundStep> steps_;
-  std::vector<std::vector<ContourStep>> contours_;
-  std::vector<std::vector<ContourDetour>> detours_;
+  std::vector<MadeStep> steps_;
 };
 
 }  // namespace
@@ -280,7 +307,7 @@ PathMorph::PathMorph(std::span<const Shape> keys, const MorphOptions& options, d
     std::vector<CubicPath> paths = to_paths(key, tolerance, options.match.closed == ClosedMode::yes);
     if (key.fill_rule == FillRule::evenodd && !is_simple(paths)) state->fill_rule = FillRule::evenodd;
     line_tolerances.push_back(kLineTolerance * bounding_box(key).diagonal());
-    if (!builder.add(std::move(paths), center_of(key))) {
+    if (!builder.add({std::move(paths), center_of(key)})) {
       state->cancelled = true;
       state_ = std::move(state);
       return;
@@ -288,20 +315,19 @@ PathMorph::PathMorph(std::span<const Shape> keys, const MorphOptions& options, d
   }
   state->poses.resize(keys.size());
   for (std::size_t k = 0; k + 1 < keys.size(); ++k) {
-    const FoundStep& found = builder.steps()[k];
+    const MadeStep& made = builder.steps()[k];
     std::vector<ContourEnds> ends;
     for (const Track& track : builder.tracks()) {
       ends.push_back(track.piece ? *track.piece : ContourEnds{track.keys[k], track.keys[k + 1]});
     }
-    const detail::PlanarFrame& frame = found.candidate.frame;
-    state->blends.emplace_back(found.kind, frame, ends);
-    const double degrees = found.kind == BlendKind::bezier ? 0.0 : frame.degrees();
+    state->blends.emplace_back(made.kind, made.frame, ends);
+    const double degrees = made.kind == BlendKind::bezier ? 0.0 : made.frame.degrees();
     state->turns = state->turns || degrees != 0.0;
     state->poses[k + 1].degrees = state->poses[k].degrees + degrees;
-    MorphStep step{found.kind,
-                   std::any_of(builder.detours()[k].begin(), builder.detours()[k].end(),
+    MorphStep step{made.kind,
+                   std::any_of(made.detours.begin(), made.detours.end(),
                                [](const ContourDetour& d) { return !d.is_none(); }),
-                   builder.contours()[k]};
+                   made.contours};
     step.contours.resize(builder.tracks().size());
     const std::vector<std::size_t> of_a = drawn_contours(keys[k]);
     const std::vector<std::size_t> of_b = drawn_contours(keys[k + 1]);
@@ -317,8 +343,9 @@ PathMorph::PathMorph(std::span<const Shape> keys, const MorphOptions& options, d
   const bool smooth = options.smooth && keys.size() > 2;
   if (smooth) state->smooth.emplace(state->blends, state->times, std::move(centered));
   for (std::size_t k = 0; k < state->blends.size(); ++k) {
-    for (std::size_t t = 0; t < builder.detours()[k].size(); ++t) {
-      state->blends[k].set_detour(t, builder.detours()[k][t]);
+    const std::vector<ContourDetour>& detours = builder.steps()[k].detours;
+    for (std::size_t t = 0; t < detours.size(); ++t) {
+      state->blends[k].set_detour(t, detours[t]);
       const Track& track = builder.tracks()[t];
       if (track.piece) state->blends[k].set_outlines(t, {track.keys[k], track.keys[k + 1]});
     }
