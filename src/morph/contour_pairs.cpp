@@ -128,6 +128,11 @@ class Pairing {
     return best;
   }
 
+  double known_cost(std::size_t i, std::size_t j) {
+    const auto known = costs_.find({i, j});
+    return known != costs_.end() ? known->second : costs_.emplace(std::pair{i, j}, cost(i, j)).first->second;
+  }
+
  private:
   using Members = std::vector<std::size_t>;
 
@@ -228,11 +233,6 @@ class Pairing {
     }
   }
 
-  double known_cost(std::size_t i, std::size_t j) {
-    const auto known = costs_.find({i, j});
-    return known != costs_.end() ? known->second : costs_.emplace(std::pair{i, j}, cost(i, j)).first->second;
-  }
-
   [[nodiscard]] double cost(std::size_t i, std::size_t j) const {
     const Curve& a = a_.curves[i];
     const Curve& b = b_.curves[j];
@@ -277,18 +277,20 @@ class Pairing {
 
 ContourPairing pair_contours(std::span<const CubicPath> a, std::span<const CubicPath> b, const Rotation& turn,
                              const MatchOptions& options) {
-  if (a.size() == 1 && b.size() == 1) return {{{std::size_t{0}, std::size_t{0}}}, 0.0};
+  if (a.size() == 1 && b.size() == 1) return {{{0, 0, 0.0}}, 0.0};
   const Drawing first(a);
   const Drawing second(b);
-  const Partners partners = Pairing(first, second, turn, options).run();
+  Pairing pairing(first, second, turn, options);
+  const Partners partners = pairing.run();
   ContourPairing found{{}, partners.cost};
   std::vector<bool> taken(b.size(), false);
   for (std::size_t i = 0; i < a.size(); ++i) {
-    found.pairs.push_back({i, partners.of_a[i]});
-    if (partners.of_a[i]) taken[*partners.of_a[i]] = true;
+    const std::optional<std::size_t> j = partners.of_a[i];
+    found.pairs.push_back({i, j, j ? pairing.known_cost(i, *j) : 0.0});
+    if (j) taken[*j] = true;
   }
   for (std::size_t j = 0; j < b.size(); ++j) {
-    if (!taken[j]) found.pairs.push_back({{}, j});
+    if (!taken[j]) found.pairs.push_back({{}, j, 0.0});
   }
   return found;
 }

@@ -18,6 +18,7 @@ namespace detail {
 struct ContourPair {
   std::optional<std::size_t> a;
   std::optional<std::size_t> b;
+  double cost = 0.0;  ///< of the two: how little they have in common
 };
 
 struct ContourPairing {

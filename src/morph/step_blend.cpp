@@ -42,11 +42,19 @@ StepBlend::StepBlend(BlendKind kind, const PlanarFrame& frame, std::span<const C
   for (const ContourEnds& ends : contours) {
     ContourEnds seen{ends.a, frame_.from_second(ends.b)};
     // What grows from a point has no lengths or directions there: it grows evenly.
-    const bool grows = is_point(seen.a) || is_point(seen.b);
+    const bool born = is_point(seen.a);
+    const bool grows = born || is_point(seen.b);
     auto blend = make_contour_blend(grows ? BlendKind::affine : kind, seen.a, seen.b);
     const bool closed = ends.a.is_closed() && ends.b.is_closed();
-    contours_.push_back(
-        {std::move(blend), ends.a.control_points().data().size(), closed, std::move(seen), {}, {}, {}, {}});
+    contours_.push_back({std::move(blend),
+                         ends.a.control_points().data().size(),
+                         closed,
+                         born,
+                         std::move(seen),
+                         {},
+                         {},
+                         {},
+                         {}});
   }
 }
 
@@ -115,9 +123,13 @@ void StepBlend::at(double s, std::size_t contour, std::span<double> points) cons
   const double bump =
       gentle_ ? (1.0 - off * off * off * off) * (1.0 - off * off * off * off) : 1.0 - off * off;
   if (c.filter) c.filter->apply(bump * c.detour.width, points);
-  if (c.detour.shrink == 0.0 && c.detour.offset == Vec2{}) return;
+  if (c.detour.shrink == 0.0 && c.detour.offset == Vec2{} && !c.detour.late) return;
   const Vec2 center = center_of_edges(points);
-  const double scale = 1.0 - bump * c.detour.shrink;
+  double scale = 1.0 - bump * c.detour.shrink;
+  if (c.detour.late) {
+    const double grown = c.born ? s : 1.0 - s;
+    scale *= gentle_ ? grown * grown * (3.0 - 2.0 * grown) : grown * grown;
+  }
   for (std::size_t i = 0; i + 1 < points.size(); i += 2) {
     points[i] = center.x + bump * c.detour.offset.x + scale * (points[i] - center.x);
     points[i + 1] = center.y + bump * c.detour.offset.y + scale * (points[i + 1] - center.y);

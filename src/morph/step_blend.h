@@ -28,7 +28,11 @@ struct ContourDetour {
   double width = 0.0;   ///< of the filter, see Detour
   double shrink = 0.0;  ///< towards its centre, in [0, 1)
   Vec2 offset{};        ///< of its centre
-  [[nodiscard]] bool is_none() const noexcept { return width == 0.0 && shrink == 0.0 && offset == Vec2{}; }
+  /// Whether it keeps small for longer: of a contour that grows from a point, or dies to one.
+  bool late = false;
+  [[nodiscard]] bool is_none() const noexcept {
+    return width == 0.0 && shrink == 0.0 && offset == Vec2{} && !late;
+  }
 };
 
 /// The in-betweens of all contours of one step.
@@ -83,6 +87,7 @@ class StepBlend {
     std::unique_ptr<const ContourBlend> blend;
     std::size_t size;
     bool closed;
+    bool born;         ///< grows from a point
     ContourEnds ends;  ///< as the frame sees them
     ContourDetour detour;
     std::optional<Detour> filter;

@@ -181,8 +181,8 @@ Turned StepKeys::pair(const Rotation& turn, const MatchOptions& options) const {
     const auto is_point = [](const Key& key, std::size_t i) { return !(key.curves[i].extent() > 0.0); };
     if (pair.a && pair.b && (is_point(a_, *pair.a) || is_point(b_, *pair.b))) {
       // A point has no direction to match.
-      turned.pairs.push_back({pair.a, {}});
-      turned.pairs.push_back({{}, pair.b});
+      turned.pairs.push_back({pair.a, {}, 0.0});
+      turned.pairs.push_back({{}, pair.b, 0.0});
     } else {
       turned.pairs.push_back(pair);
     }
@@ -275,6 +275,48 @@ std::optional<StepCandidate> StepKeys::match(const Turned& turned, const MatchOp
   if (options.method == Method::elastic) add_asymmetry(candidate, turned);
   add_lonely(candidate, turned);
   return candidate;
+}
+
+std::optional<StepCandidate> StepKeys::parted(const StepCandidate& candidate, const Turned& turned,
+                                              std::size_t parted) const {
+  // The longest pair stays, whatever it costs.
+  std::vector<std::size_t> order;
+  std::size_t longest = 0;
+  double most = -1.0;
+  const auto length = [](const CubicPath& path) { return path_length(path.control_points().data()); };
+  for (std::size_t p = 0; p < turned.pairs.size(); ++p) {
+    const ContourPair& pair = turned.pairs[p];
+    if (!pair.a || !pair.b) continue;
+    order.push_back(p);
+    const double both = length(a_.paths[*pair.a]) + length(b_.paths[*pair.b]);
+    if (both > most) {
+      most = both;
+      longest = p;
+    }
+  }
+  if (parted >= order.size() || !pins_.empty()) return std::nullopt;
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t x, std::size_t y) {
+    const auto rank = [&](std::size_t p) { return p == longest ? -1.0 : turned.pairs[p].cost; };
+    return rank(x) > rank(y);
+  });
+  order.resize(parted);
+  StepCandidate made{candidate.frame, {}, candidate.asymmetry};
+  Turned loose{turned.turn, {}};
+  std::size_t k = 0;
+  for (std::size_t p = 0; p < turned.pairs.size(); ++p) {
+    const ContourPair& pair = turned.pairs[p];
+    const bool both = pair.a && pair.b;
+    if (both && std::find(order.begin(), order.end(), p) != order.end()) {
+      loose.pairs.push_back({pair.a, {}, 0.0});
+      loose.pairs.push_back({{}, pair.b, 0.0});
+    } else {
+      loose.pairs.push_back(pair);
+      if (both) made.contours.push_back(candidate.contours[k]);
+    }
+    k += both ? 1 : 0;
+  }
+  add_lonely(made, loose);
+  return made;
 }
 
 bool StepKeys::can_share(const MatchOptions& options) {

@@ -10,6 +10,7 @@
 #include "morph/measures.h"
 #include "morph/score.h"
 #include "morph/settle_blend.h"
+#include "morph/step_variants.h"
 #include "morph/wants_turns.h"
 #include "tandem/match/rotation.h"
 
@@ -33,6 +34,11 @@ constexpr double kDetourBlemish = 0.15;
 constexpr double kWidthBlemish = 3.0;
 // One in-between of nineteen that crosses or folds is less to be seen than a turn, too.
 constexpr double kFaultBlemish = 0.4;
+// How many of the best candidates are looked at with contours parted that have little in common, how many
+// contours are sent on detours then, and which width of a detour asks for it.
+constexpr std::size_t kParted = 6;
+constexpr std::size_t kPartedDetours = 100;
+constexpr double kWide = 0.02;
 // Where others are looked at to keep clear of them.
 constexpr double kMeetings[] = {0.5, 0.3, 0.7};
 // Widths of the smoothing, as shares of the length: each so much wider than the one before.
@@ -41,55 +47,6 @@ constexpr double kWidest = 0.2;
 constexpr double kWiden = 1.35;
 // Segments are cut to this share of the length to be smoothed.
 constexpr double kLongestSegment = 0.04;
-
-/// Ways of matching beside the caller's own: positions count, tangents turned away only cost.
-struct Variant {
-  double position_weight;
-  double lambda;
-};
-constexpr Variant kVariants[] = {{0.0, 0.02}, {0.3, 0.02}, {1.0, 0.02}, {3.0, 0.02}, {1.0, 0.1}};
-// Among the caller's own way and these, in this order.
-constexpr std::size_t kMostHelpful = 3;
-
-bool is_tangent_norm(const MatchOptions& options) {
-  const auto* kind = std::get_if<NormKind>(&options.norm);
-  return kind != nullptr && *kind == NormKind::tangent;
-}
-
-// Variants stand in for the default only: what a caller asks for is what is done.
-bool may_vary(const MatchOptions& options) {
-  return is_tangent_norm(options) && options.method == Method::elastic && !options.features.curvature &&
-         options.features.position_weight == 0.0;
-}
-
-// The ways of matching to be tried. In a hurry, first the one that helps most, on few samples; where
-// positions do not count, few samples mislead one match in four, and all are looked at.
-std::vector<MatchOptions> variants_of(const MatchOptions& own) {
-  std::vector<MatchOptions> variants{own};
-  if (!may_vary(own)) return variants;
-  for (const Variant& variant : kVariants) {
-    variants.push_back(own);
-    variants.back().features.position_weight = variant.position_weight;
-    variants.back().features.lenient = true;
-    variants.back().elastic.lambda = variant.lambda;
-    variants.back().coarse_to_fine = own.coarse_to_fine && variant.position_weight > 0.0;
-  }
-  if (!own.coarse_to_fine) return variants;
-  variants.front().coarse_to_fine = false;
-  std::swap(variants.front(), variants[kMostHelpful]);
-  return variants;
-}
-
-std::vector<BlendKind> kinds_of(BlendKind kind) {
-  switch (kind) {
-    case BlendKind::automatic:
-      return {BlendKind::affine, BlendKind::hermite, BlendKind::intrinsic};
-    case BlendKind::detour:
-      return {BlendKind::affine};
-    default:
-      return {kind};
-  }
-}
 
 /// A candidate as it is blended, and what came of it.
 struct Entry {
@@ -110,7 +67,10 @@ class StepSearch {
   std::optional<FoundStep> run() {
     if (!try_all() || !try_mirrored() || !try_cuts() || !try_mirrored()) return std::nullopt;
     const bool may_detour = blend_ == BlendKind::automatic || blend_ == BlendKind::detour;
+    const std::vector<Entry> plain = entries_;
     if (may_detour && best_score_.faults > 0 && !make_detours(kDetours)) return std::nullopt;
+    if (may_detour && (best_score_.faults > 0 || width_of(best_) > kWide) && !part_unlike(plain))
+      return std::nullopt;
     if (may_detour && is_turned_for_nothing() && !stay_upright()) return std::nullopt;
     return std::move(best_);
   }
@@ -151,12 +111,59 @@ class StepSearch {
     FoundStep known = std::exchange(best_, {});
     const Score score = std::exchange(best_score_, {});
     if (!make_detours(kUprightDetours)) return false;
-    double detours = kDetourBlemish;
-    for (const FoundContour& contour : best_.candidate.contours) {
-      detours = std::max(detours, kDetourBlemish + kWidthBlemish * contour.detour.width);
-    }
+    const double detours = kDetourBlemish + kWidthBlemish * width_of(best_);
     const auto price = [](const Score& of) { return of.blemish + kFaultBlemish * of.faults; };
     if (best_score_.faults <= score.faults + 1 && price(best_score_) + detours < price(score)) return true;
+    best_ = std::move(known);
+    best_score_ = score;
+    return true;
+  }
+
+  static double width_of(const FoundStep& step) {
+    double width = 0.0;
+    for (const FoundContour& contour : step.candidate.contours) width = std::max(width, contour.detour.width);
+    return width;
+  }
+
+  // Looks at the candidate with more and more of its pairs parted, until that frees it of faults.
+  void part(const Entry& entry) {
+    for (std::size_t count = 1; best_score_.faults > 0; ++count) {
+      auto parted = keys_.parted(candidates_[entry.candidate], *turned_[entry.candidate], count);
+      if (!parted) break;
+      candidates_.push_back(*std::move(parted));
+      consider(candidates_.back(), entry.kind, candidates_.size() - 1);
+    }
+  }
+
+  // Where contours that have little in common get into each other's way for being pairs: they die and are
+  // born instead. entries: before detours
+  bool part_unlike(std::vector<Entry> entries) {
+    FoundStep known = std::exchange(best_, {});
+    const Score score = std::exchange(best_score_, {});
+    std::stable_sort(entries.begin(), entries.end(),
+                     [](const Entry& x, const Entry& y) { return x.score.better_than(y.score); });
+    std::vector<Entry> tight = std::exchange(entries_, {});
+    // What is turned parts only where nothing upright comes of it.
+    for (const bool turned : {false, true}) {
+      std::size_t looked_at = 0;
+      for (const Entry& entry : entries) {
+        if (entry.candidate >= turned_.size() || !turned_[entry.candidate]) continue;
+        if (turns_much(candidates_[entry.candidate]) != turned) continue;
+        if (++looked_at > kParted) break;
+        part(entry);
+      }
+      if (!entries_.empty() && best_score_.faults > 0 && !make_detours(kPartedDetours)) return false;
+      tight.insert(tight.end(), entries_.begin(), entries_.end());
+      entries_.clear();
+      if (best_score_.faults == 0) break;
+    }
+    entries_ = std::move(tight);
+    const auto price = [](const Score& of, const FoundStep& step) {
+      return of.blemish + kWidthBlemish * width_of(step);
+    };
+    const bool better = best_score_.faults != score.faults ? best_score_.faults < score.faults
+                                                           : price(best_score_, best_) < price(score, known);
+    if (better) return true;
     best_ = std::move(known);
     best_score_ = score;
     return true;
@@ -218,6 +225,8 @@ class StepSearch {
         if (!candidate || !go_on(done)) return false;
         if (options_.match.coarse_to_fine) mark_inexact(*candidate);
         const bool known = is_known(*candidate);
+        turned_.resize(candidates_.size());
+        turned_.push_back(trial.keys == &keys_ ? std::optional(trial.turned) : std::nullopt);
         candidates_.push_back(*std::move(candidate));
         if (known) continue;
         for (const BlendKind kind : kinds_) consider(candidates_.back(), kind, candidates_.size() - 1);
@@ -271,6 +280,7 @@ class StepSearch {
       if (own.contours.size() < 2) return true;
       const std::vector<std::size_t> order = all_but_the_largest(own);
       Score score = judge_.judge(own.blend(entry.kind), {}, own.asymmetry);
+      keep_lonely_small(own, entry.kind, score);
       for (const double s : kMeetings) {
         for (const std::size_t c : order) {
           if (score.faults == 0) break;
@@ -278,7 +288,9 @@ class StepSearch {
             return false;
           const ContourDetour before = own.contours[c].detour;
           own.contours[c].detour = {};
+          own.contours[c].detour.late = before.late;
           own.contours[c].detour = clearance_.find(own.blend(entry.kind), c, s);
+          own.contours[c].detour.late = before.late;
           const Score now = judge_.judge(own.blend(entry.kind), score, own.asymmetry);
           if (now.better_than(score)) {
             score = now;
@@ -293,6 +305,17 @@ class StepSearch {
       candidates_.push_back(std::move(own));
     }
     return true;
+  }
+
+  // What is born or dies keeps small for longer where that helps.
+  void keep_lonely_small(StepCandidate& candidate, BlendKind kind, Score& score) {
+    if (score.faults == 0) return;
+    StepCandidate late = candidate;
+    for (FoundContour& contour : late.contours) contour.detour.late = !contour.match;
+    const Score now = judge_.judge(late.blend(kind), score, late.asymmetry);
+    if (!now.better_than(score)) return;
+    score = now;
+    candidate = std::move(late);
   }
 
   // The largest first.
@@ -344,6 +367,7 @@ class StepSearch {
   Judge judge_;
   Clearance clearance_;
   std::vector<StepCandidate> candidates_;
+  std::vector<std::optional<Turned>> turned_;  ///< of candidates: who becomes whom, where nobody is in pieces
   std::vector<Entry> entries_;
   Score best_score_;
   std::size_t best_index_ = 0;  ///< of the best candidate, before detours
