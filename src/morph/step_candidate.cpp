@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "match/find_rotation.h"
+#include "match/match_along.h"
 #include "morph/mean_value.h"
 #include "morph/measures.h"
 #include "shape/trigonometry.h"
@@ -254,8 +255,11 @@ std::optional<StepCandidate> StepKeys::match(const Turned& turned, const MatchOp
     Match found = match_pair(*pair.a, *pair.b, own);
     if (found.report.cancelled) return std::nullopt;
     if (shared) {
-      found.correspondence = mirrored(found.correspondence, Reflection(a_.curves[*pair.a], shared->ends[0].u),
-                                      Reflection(b_.curves[*pair.b], shared->ends[0].v));
+      const Curve& first = a_.curves[*pair.a];
+      const Curve& second = b_.curves[*pair.b];
+      Correspondence along = mirrored(found.correspondence, Reflection(first, shared->ends[0].u),
+                                      Reflection(second, shared->ends[0].v));
+      found = match_along(first, second, own, std::move(found), std::move(along));
     }
     AlignedPaths aligned = own.method == Method::segments ? cut_in_step(a, b, found.correspondence)
                                                           : align(a, b, found.correspondence, joints);

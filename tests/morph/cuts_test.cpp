@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "morph/cut_keys.h"
+#include "tandem/curve/bounding_box.h"
 #include "tandem/curve/nearest_point.h"
 #include "tandem/morph/path_morph.h"
 #include "tandem/morph/quality.h"
@@ -310,6 +312,31 @@ TEST(Cuts, IntoThree) {
   ASSERT_EQ(whole_contours(made), 3U);
   expect_exact_ends(made, bar, dots);
   EXPECT_EQ(measure_quality(made).faulty, 0U);
+}
+
+// The pieces that a contour is cut into for two others.
+std::vector<detail::KeyPart> cut_for(const Curve& whole, const Curve& first, const Curve& second) {
+  const std::vector<CubicPath> a{to_cubic_path(whole, 1e-6)};
+  const std::vector<CubicPath> b{to_cubic_path(first, 1e-6), to_cubic_path(second, 1e-6)};
+  const detail::ContourPair pairs[] = {{0, 0, 0.0}, {{}, 1, 0.0}};
+  const auto cut = detail::cut_keys(a, b, pairs, Rotation(2));
+  return cut ? cut->a : std::vector<detail::KeyPart>{};
+}
+
+// A strip becomes two bars beside each other: a short chord across it would leave one above the other.
+TEST(Cuts, PiecesLieWhereTheyBelongThoughChordsAreLonger) {
+  const std::vector<detail::KeyPart> cut = cut_for(box(0, 0, 8, 40), box(0, 0, 5, 8), box(6, 0, 5, 8));
+  ASSERT_EQ(cut.size(), 2U);
+  EXPECT_NEAR(bounding_box(to_curve(cut[0].path)).hi[0], 4.0, 0.5);
+  EXPECT_NEAR(bounding_box(to_curve(cut[1].path)).lo[0], 4.0, 0.5);
+}
+
+// A third and two thirds stay so, though their centres are those of halves.
+TEST(Cuts, PiecesKeepTheirAreasThoughTheyLieElsewhere) {
+  const std::vector<detail::KeyPart> cut = cut_for(box(0, 0, 20, 8), box(0, 2.5, 10, 3), box(10, 0.5, 10, 7));
+  ASSERT_EQ(cut.size(), 2U);
+  EXPECT_NEAR(signed_area(cut[0].path), 48.0, 8.0);
+  EXPECT_NEAR(signed_area(cut[1].path), 112.0, 8.0);
 }
 
 }  // namespace

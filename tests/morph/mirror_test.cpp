@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -80,6 +81,52 @@ TEST(Mirror, AHeartBecomesAStarUpright) {
     ASSERT_EQ(paths.size(), 1U);
     EXPECT_EQ(find_mirrors(to_curve(paths[0])).size(), 1U) << s;
   }
+}
+
+// A heart with flat flanks becomes a star with rounded numbers: the best lopsided way has smoother tangents.
+TEST(Mirror, SymmetryCountsMoreThanTangents) {
+  PathBuilder flat;
+  flat.move_to({12, 21.35});
+  flat.line_to({10.55, 20.03});
+  flat.cubic_to({5.4, 15.36}, {2, 12.27}, {2, 8.5});
+  flat.cubic_to({2, 5.41}, {4.42, 3}, {7.5, 3});
+  flat.cubic_to({9.24, 3}, {10.91, 3.81}, {12, 5.08});
+  flat.cubic_to({13.09, 3.81}, {14.76, 3}, {16.5, 3});
+  flat.cubic_to({19.58, 3}, {22, 5.41}, {22, 8.5});
+  flat.cubic_to({22, 12.27}, {18.6, 15.36}, {13.45, 20.03});
+  flat.close();
+  const Curve round = polygon({{12, 17.27},
+                               {18.18, 21},
+                               {16.54, 13.97},
+                               {22, 9.24},
+                               {14.81, 8.62},
+                               {12, 2},
+                               {9.19, 8.62},
+                               {2, 9.24},
+                               {7.45, 13.97},
+                               {5.82, 21}});
+  const PathMorph made(std::vector<Shape>{{{to_curve(flat.take().front())}}, {{round}}}, {});
+  for (const double s : {0.25, 0.5, 0.75}) {
+    EXPECT_FALSE(find_mirrors(to_curve(made.at(s)[0])).empty()) << s;
+  }
+}
+
+// The curve of a match that was mirrored is the second outline along the mirrored correspondence.
+TEST(Mirror, TheWholeMatchIsMirrored) {
+  const PathMorph made(std::vector<Shape>{{{heart()}}, {{star(5)}}}, {});
+  const Match& match = *made.steps()[0].contours[0].match;
+  const Curve second = star(5);
+  const Interval domain = second.domain();
+  double most = 0.0;
+  for (int k = 0; k < 64; ++k) {
+    const double u = match.curve.domain().lo + match.curve.domain().length() * (k + 0.5) / 64.0;
+    double v = match.correspondence.v_at(u);
+    v -= std::floor((v - domain.lo) / domain.length()) * domain.length();
+    const Point p = match.curve.evaluate(u);
+    const Point q = second.evaluate(v);
+    most = std::max(most, std::hypot(p[0] - q[0], p[1] - q[1]));
+  }
+  EXPECT_LE(most, 0.1);  // the tolerance of the fit, of a length of 80
 }
 
 }  // namespace

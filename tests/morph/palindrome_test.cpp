@@ -93,7 +93,9 @@ TEST(Palindrome, ContoursComeAndGo) {
     EXPECT_LE(asymmetry(morph), 1e-9);
     std::size_t most = 0;
     for (const Shape& key : keys) most = std::max(most, key.contours.size());
-    if (keys.size() == 3) EXPECT_EQ(morph.contours().size(), most);
+    if (keys.size() == 3) {
+      EXPECT_EQ(morph.contours().size(), most);
+    }
     const std::vector<MorphStep>& steps = morph.steps();
     for (std::size_t k = 0; k < steps.size(); ++k) {
       const MorphStep& back = steps[steps.size() - 1 - k];
