@@ -15,7 +15,6 @@ inline namespace v0 {
 
 namespace {
 
-using detail::cross;
 using detail::dot;
 
 /// A pair is invalid for the elastic programme below this value: a little slack, so that tangents which are
@@ -51,27 +50,6 @@ Sites chord_sites(const Samples& s) {
     sites.still[k] = detail::largest(s.chord_tangents[k]) == 0.0;
   }
   return sites;
-}
-
-/// Unit vector from one point to another; zero where they coincide.
-void direction(std::span<const double> from, std::span<const double> to, std::span<double> d) {
-  for (std::size_t c = 0; c < d.size(); ++c) d[c] = to[c] - from[c];
-  detail::normalize(d);
-}
-
-/// [C] eqs. (4), (6) in any dimension: <T1,T2> - <T1,d><T2,d> with unit d; d = 0: <T1,T2> (spec C13).
-double ruled_product(std::span<const double> t1, std::span<const double> t2, std::span<const double> d) {
-  return dot(t1, t2) - dot(t1, d) * dot(t2, d);
-}
-
-/// The signed test: the product where both sides agree with the sign, else the worse of the two (spec C13).
-double ruled_signed(std::span<const double> t1, std::span<const double> t2, std::span<const double> d,
-                    double sign) {
-  if (detail::largest(d) == 0.0) return dot(t1, t2);
-  const double first = sign * cross(d, t1);
-  const double second = sign * cross(d, t2);
-  const double worse = std::min(first, second);
-  return worse >= 0.0 ? first * second : worse;
 }
 
 /// Difference of two curvatures in [0,1]: relative to both, and to the curvature of a circle, so that small
@@ -134,20 +112,33 @@ Points normalized(Points points, const Samples& s) {
   return points;
 }
 
-/// With the coordinates of b in planes of their own, so that a row is one loop over lanes.
-void add_positions(NodeTable& table, const Points& a, const Points& b, double weight) {
-  const auto dim = static_cast<std::size_t>(a.dim());
-  const std::size_t cols = table.cols;
-  std::vector<double> planes(dim * cols);
-  for (std::size_t j = 0; j < cols; ++j) {
-    for (std::size_t c = 0; c < dim; ++c) planes[c * cols + j] = b[j][c];
+/// The points' coordinates, each in a plane of its own, so that a row of a table is one loop over lanes.
+class Planes {
+ public:
+  explicit Planes(const Points& points) : size_(points.size()) {
+    const auto dim = static_cast<std::size_t>(points.dim());
+    values_.resize(dim * size_);
+    for (std::size_t j = 0; j < size_; ++j) {
+      for (std::size_t c = 0; c < dim; ++c) values_[c * size_ + j] = points[j][c];
+    }
   }
+  [[nodiscard]] double* operator[](std::size_t c) { return values_.data() + c * size_; }
+  [[nodiscard]] const double* operator[](std::size_t c) const { return values_.data() + c * size_; }
+
+ private:
+  std::size_t size_;
+  std::vector<double> values_;
+};
+
+void add_positions(NodeTable& table, const Points& a, const Points& b, double weight) {
+  const std::size_t cols = table.cols;
+  const Planes planes(b);
   std::vector<double> sums(cols);
   for (std::size_t i = 0; i < table.rows; ++i) {
     std::fill(sums.begin(), sums.end(), 0.0);
-    for (std::size_t c = 0; c < dim; ++c) {
+    for (std::size_t c = 0; c < a[i].size(); ++c) {
       const double x = a[i][c];
-      const double* plane = planes.data() + c * cols;
+      const double* plane = planes[c];
       for (std::size_t j = 0; j < cols; ++j) sums[j] += (x - plane[j]) * (x - plane[j]);
     }
     double* cost = table.cost.data() + table.index(i, 0);
@@ -171,40 +162,33 @@ NodeTable fill_table(const Sites& a, const Sites& b, const FeatureOptions& featu
   return table;
 }
 
-/// A cost and its validity from a value whose best is 1.
-NormValue from_value(double value, double invalid_below) {
-  // Rounding may lift a product of unit vectors above 1.
-  return {std::max(0.0, 1.0 - value), value < invalid_below};
+/// sums[j] = <x, plane point j>.
+void dot_row(std::span<const double> x, const Planes& planes, std::span<double> sums) {
+  std::fill(sums.begin(), sums.end(), 0.0);
+  for (std::size_t c = 0; c < x.size(); ++c) {
+    const double* plane = planes[c];
+    for (std::size_t j = 0; j < sums.size(); ++j) sums[j] += x[c] * plane[j];
+  }
 }
 
-/// <T1,T2> of all pairs, row by row with the coordinates of b in planes of their own, so that a row is one
-/// loop over lanes.
-NodeTable tangent_table(const Sites& a, const Sites& b, const TableOptions& options) {
+/// A table from rows of values whose best is 1: fill_row(i, values).
+template <class FillRow>
+NodeTable table_of_rows(const Sites& a, const Sites& b, const TableOptions& options,
+                        const FillRow& fill_row) {
   NodeTable table = empty_table(a, b);
-  const auto dim = static_cast<std::size_t>(a.tangents->dim());
-  const std::size_t cols = table.cols;
-  std::vector<double> planes(dim * cols);
-  for (std::size_t j = 0; j < cols; ++j) {
-    for (std::size_t c = 0; c < dim; ++c) planes[c * cols + j] = (*b.tangents)[j][c];
-  }
   const double limit = options.invalid_below;
   for (std::size_t i = 0; i < table.rows; ++i) {
     if (a.still[i]) continue;
     double* cost = table.cost.data() + table.index(i, 0);
     std::uint8_t* invalid = table.invalid.data() + table.index(i, 0);
-    const auto t = (*a.tangents)[i];
-    for (std::size_t c = 0; c < dim; ++c) {
-      const double x = t[c];
-      const double* plane = planes.data() + c * cols;
-      for (std::size_t j = 0; j < cols; ++j) cost[j] += x * plane[j];
-    }
-    for (std::size_t j = 0; j < cols; ++j) {
+    fill_row(i, std::span<double>(cost, table.cols));
+    for (std::size_t j = 0; j < table.cols; ++j) {
       invalid[j] = cost[j] < limit;
       // Rounding may lift a product of unit vectors above 1.
       cost[j] = cost[j] < 1.0 ? 1.0 - cost[j] : 0.0;
     }
   }
-  for (std::size_t j = 0; j < cols; ++j) {
+  for (std::size_t j = 0; j < table.cols; ++j) {
     if (!b.still[j]) continue;
     for (std::size_t i = 0; i < table.rows; ++i) {
       table.cost[table.index(i, j)] = 0.0;
@@ -215,17 +199,95 @@ NodeTable tangent_table(const Sites& a, const Sites& b, const TableOptions& opti
   return table;
 }
 
+/// <T1,T2> of all pairs.
+NodeTable tangent_table(const Sites& a, const Sites& b, const TableOptions& options) {
+  const Planes tangents(*b.tangents);
+  return table_of_rows(a, b, options, [&](std::size_t i, std::span<double> values) {
+    dot_row((*a.tangents)[i], tangents, values);
+  });
+}
+
+/// Both clouds times one power of two, which is exact, so that their coordinates are below 1: squares of
+/// differences neither overflow nor vanish.
+void scale_to_unit(Points& a, Points& b) {
+  const double most = std::max(detail::largest(a.data()), detail::largest(b.data()));
+  if (!(most > 0.0)) return;
+  const int exponent = -1 - std::ilogb(most);
+  for (Points* points : {&a, &b}) {
+    for (double& x : points->data()) x = std::scalbn(x, exponent);
+  }
+}
+
+/// Unit vectors from a point to all of b, in `to`; zero where they coincide.
+void directions(std::span<const double> from, const Planes& b, std::span<double> lengths, Planes& to) {
+  std::fill(lengths.begin(), lengths.end(), 0.0);
+  for (std::size_t c = 0; c < from.size(); ++c) {
+    const double* plane = b[c];
+    double* d = to[c];
+    for (std::size_t j = 0; j < lengths.size(); ++j) {
+      d[j] = plane[j] - from[c];
+      lengths[j] += d[j] * d[j];
+    }
+  }
+  for (double& length : lengths) length = std::sqrt(length);
+  for (std::size_t c = 0; c < from.size(); ++c) {
+    double* d = to[c];
+    for (std::size_t j = 0; j < lengths.size(); ++j) d[j] = lengths[j] > 0.0 ? d[j] / lengths[j] : 0.0;
+  }
+}
+
+/// [C] eqs. (4), (6) in any dimension, on values that hold <T1,T2>: <T1,T2> - <T1,d><T2,d> with unit d; d =
+/// 0: <T1,T2> (spec C13). along: workspace.
+void ruled_product(std::span<const double> t1, const Planes& t2, const Planes& d, std::span<double> along,
+                   std::span<double> values) {
+  const std::size_t cols = values.size();
+  dot_row(t1, d, along);
+  for (std::size_t c = 0; c < t1.size(); ++c) {
+    const double* own = t2[c];
+    const double* plane = d[c];
+    for (std::size_t j = 0; j < cols; ++j) values[j] -= along[j] * own[j] * plane[j];
+  }
+}
+
+/// The signed test: the product where both sides agree with the sign, else the worse of the two (spec C13);
+/// values as above.
+void ruled_signed(std::span<const double> t1, const Planes& t2, const Planes& d,
+                  std::span<const double> lengths, double sign, std::span<double> values) {
+  const double x1 = sign * t1[0];
+  const double y1 = sign * t1[1];
+  const double* x2 = t2[0];
+  const double* y2 = t2[1];
+  const double* dx = d[0];
+  const double* dy = d[1];
+  for (std::size_t j = 0; j < values.size(); ++j) {
+    const double first = dx[j] * y1 - dy[j] * x1;
+    const double second = sign * (dx[j] * y2[j] - dy[j] * x2[j]);
+    const double worse = std::min(first, second);
+    const double value = worse >= 0.0 ? first * second : worse;
+    values[j] = lengths[j] > 0.0 ? value : values[j];
+  }
+}
+
 NodeTable ruled_table(const Sites& a, const Sites& b, const TableOptions& options) {
-  std::vector<double> d(static_cast<std::size_t>(a.tangents->dim()));
   const bool by_sign = options.sign != RuledSign::product && a.tangents->dim() == 2;
   const double sign = options.sign == RuledSign::negative ? -1.0 : 1.0;
-  return fill_table(a, b, options.features, [&](std::size_t i, std::size_t j) {
-    if (a.still[i] || b.still[j]) return NormValue{};
-    direction(a.points[i], b.points[j], d);
+  Points from = a.points;
+  Points to = b.points;
+  scale_to_unit(from, to);
+  const Planes tangents(*b.tangents);
+  const Planes points(to);
+  Planes d(to);
+  std::vector<double> lengths(b.size());
+  std::vector<double> along(b.size());
+  return table_of_rows(a, b, options, [&](std::size_t i, std::span<double> values) {
     const auto t1 = (*a.tangents)[i];
-    const auto t2 = (*b.tangents)[j];
-    const double value = by_sign ? ruled_signed(t1, t2, d, sign) : ruled_product(t1, t2, d);
-    return from_value(value, options.invalid_below);
+    dot_row(t1, tangents, values);
+    directions(from[i], points, lengths, d);
+    if (by_sign) {
+      ruled_signed(t1, tangents, d, lengths, sign, values);
+    } else {
+      ruled_product(t1, tangents, d, along, values);
+    }
   });
 }
 
