@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -120,7 +121,7 @@ std::vector<double> locate_pin(const std::string& pin, const std::vector<Curve>&
   return parameters;
 }
 
-void warn(const Messages& messages, const tandem::SkinnedSurface& skinned) {
+void warn(const Messages& messages, const tandem::SkinnedSurface& skinned, double tolerance) {
   if (skinned.report.wrong_sign_share > 0.0) {
     messages.warning(fmt::format("the surface folds over itself: the wrong sign on {:.3g} % of its area",
                                  100.0 * skinned.report.wrong_sign_share));
@@ -129,8 +130,16 @@ void warn(const Messages& messages, const tandem::SkinnedSurface& skinned) {
     const tandem::Validity& validity = skinned.report.pairs[k].validity;
     if (validity.valid) continue;
     messages.warning(fmt::format(
-        "sections {} and {}: not valid on {:.2f} % of their length, least <T1,T2> {:.3f}", k,
+        "sections {} and {}: not valid on {:.3g} % of their length, least <T1,T2> {:.3g}", k,
         (k + 1) % skinned.sections.size(), 100.0 * (1.0 - validity.valid_share), validity.min_dot));
+  }
+  const auto furthest =
+      std::max_element(skinned.laws.begin() + 1, skinned.laws.end(),
+                       [](const auto& a, const auto& b) { return a.max_deviation < b.max_deviation; });
+  if (furthest->max_deviation > tolerance) {
+    messages.warning(
+        fmt::format("the law of section {} is {:.3g} of its domain away from the match, {:.3g} was asked for",
+                    furthest - skinned.laws.begin(), furthest->max_deviation, tolerance));
   }
 }
 
@@ -156,7 +165,7 @@ Status write_skin(const Command& command, Plan plan, std::vector<std::vector<Cur
     messages.error("not all sections match validly (--strict): nothing was written");
     return kNoValidMatch;
   }
-  warn(messages, skinned);
+  warn(messages, skinned, plan.skin.law.tolerance);
   std::optional<tandem::Certificate> certificate;
   if (command.skin.certify) {
     certificate = certify(skinned.surface, plan.output);

@@ -49,15 +49,16 @@ std::string format_skin_report(const tandem::SkinnedSurface& skinned,
   return fmt::format(
       "{{\n  \"tandem\": \"{}\",\n  \"valid\": {},\n  \"total_cost\": {},\n  \"sequence_cost\": {},\n  "
       "\"sweeps\": {},\n  \"refined\": {},\n"
-      "  \"crease_angle\": {},\n  \"wrong_sign_share\": {},\n  \"law_deviation\": {},\n  "
+      "  \"crease_angle\": {},\n  \"section_crease_angle\": {},\n  \"wrong_sign_share\": {},\n  "
+      "\"law_deviation\": {},\n  "
       "\"interpolation_error\": {},\n  \"parameters\": "
       "{},\n"
       "  \"pairs\": [{}],\n  \"laws\": [{}]{}\n}}",
       tandem::version(), word(report.valid), json_number(report.total_cost),
       json_number(report.sequence_cost), report.sweeps, report.refined, json_number(report.crease_angle),
-      json_number(report.wrong_sign_share), json_number(report.law_deviation),
-      json_number(report.interpolation_error), numbers(skinned.parameters), pairs, laws,
-      certificate ? ",\n" + tandem::format_json_certificate(*certificate) : "");
+      json_number(report.section_crease_angle), json_number(report.wrong_sign_share),
+      json_number(report.law_deviation), json_number(report.interpolation_error), numbers(skinned.parameters),
+      pairs, laws, certificate ? ",\n" + tandem::format_json_certificate(*certificate) : "");
 }
 
 std::string format_solid_report(const tandem::Solid& solid) {

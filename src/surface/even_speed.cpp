@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "curve/norm.h"
+#include "surface/law_function.h"
 #include "tandem/curve/edit.h"
 #include "tandem/curve/knots.h"
 
@@ -25,14 +26,17 @@ constexpr std::size_t kSpans = 4;
 /// for rounding.
 constexpr double kSameSpan = 1e-3;
 
+bool do_differ(double before, double after) {
+  return std::abs(before - after) > kSameSpeed * std::max(before, after);
+}
+
 /// Speeds before and after a place, 0 where the direction is not the same.
 struct Speeds {
   double before = 0.0;
   double after = 0.0;
 
-  [[nodiscard]] bool jump() const {
-    return before > 0.0 && after > 0.0 && std::abs(before - after) > kSameSpeed * std::max(before, after);
-  }
+  [[nodiscard]] bool same_direction() const { return before > 0.0 && after > 0.0; }
+  [[nodiscard]] bool jump() const { return same_direction() && do_differ(before, after); }
 };
 
 Speeds speeds_at(const Curve& curve, double before, double after, double angle) {
@@ -89,12 +93,44 @@ Curve with_room(const Curve& law) {
   return refine(law, added);
 }
 
+/// The same law with knots of full multiplicity (less one) also at those joints of the section that it runs
+/// through elsewhere: where slopes are limited a law misses joints by more than rounding.
+Curve through_joints(const Curve& law, const Curve& section, double angle) {
+  const LawFunction function(law);
+  const Interval domain = law.domain();
+  const double near = kSameKnot * domain.length();
+  const std::vector<Knot> knots = distinct_knots(law.knots());
+  std::vector<double> added;
+  std::vector<std::pair<double, double>> joints;  // u and v, the latter to the last bit
+  for (const double v : smooth_joints(section, angle)) {
+    double u = function.parameter(v);
+    const double before = joints.empty() ? domain.lo : joints.back().first;
+    if (u - before <= near || domain.hi - u <= near) continue;
+    int missing = law.degree();
+    for (const Knot& knot : knots) {
+      if (std::abs(knot.value - u) > near) continue;
+      u = knot.value;
+      missing -= knot.multiplicity;
+    }
+    added.insert(added.end(), static_cast<std::size_t>(std::max(missing, 0)), u);
+    joints.emplace_back(u, v);
+  }
+  const Curve refined = refine(law, added);
+  Points values = refined.control_points();
+  for (const auto& [u, v] : joints) {
+    const auto first = std::lower_bound(refined.knots().begin(), refined.knots().end(), u);
+    values[static_cast<std::size_t>(first - refined.knots().begin()) - 1][0] = v;
+  }
+  return Curve(refined.degree(), refined.knots(), std::move(values));
+}
+
 void even_out(Points& c, const Joint& joint, const Speeds& speeds) {
   const double left = c[joint.at_left][0] - c[joint.at_left - 1][0];
   const double right = c[joint.at_right + 1][0] - c[joint.at_right][0];
   // Speeds of the composed section, but for the law's degree.
   const double before = left / joint.span_before * speeds.before;
   const double after = right / joint.span_after * speeds.after;
+  if (!do_differ(before, after)) return;
   double speed = std::sqrt(before) * std::sqrt(after);
   const auto limit = [&](double room, double span, double own) {
     speed = std::min(speed, kShareOfRoom * room / span * own);
@@ -119,7 +155,7 @@ std::vector<double> smooth_joints(const Curve& curve, double angle) {
 }
 
 Curve with_even_speed(const Curve& given, const Curve& section, bool loop, double angle) {
-  const Curve law = with_room(given);
+  const Curve law = with_room(through_joints(given, section, angle));
   const auto degree = static_cast<std::size_t>(law.degree());
   const std::vector<double>& knots = law.knots();
   Points c = law.control_points();
@@ -129,12 +165,13 @@ Curve with_even_speed(const Curve& given, const Curve& section, bool loop, doubl
     if (knots[i + 1] != knots[i + degree]) continue;
     const double v = nearest_knot(section, c[i][0]);
     const Speeds speeds = speeds_at(section, v, v, angle);
-    if (!speeds.jump()) continue;
+    // The law may bend where the section does not: at a corner that limited slopes make it miss.
+    if (!speeds.same_direction()) continue;
     even_out(c, {i, i, knots[i + 1] - knots[i], knots[i + degree + 1] - knots[i + 1]}, speeds);
   }
   if (loop && n > 4) {
     const Speeds speeds = speeds_at(section, c[n - 1][0], c[0][0], angle);
-    if (speeds.jump()) {
+    if (speeds.same_direction()) {
       even_out(c, {n - 1, 0, knots[n] - knots[n - 1], knots[degree + 1] - knots[degree]}, speeds);
     }
   }

@@ -14,9 +14,9 @@ namespace detail {
 /// turned against it.
 [[nodiscard]] std::vector<double> smooth_joints(const Curve& curve, double angle);
 
-/// The law with slopes that make up for the jumps of speed: at its knots of full multiplicity (less one), and
-/// across the seam of a loop, if `section` has the same direction on both sides. The law keeps its values
-/// there, and increases. section: what is composed with it.
+/// The law with slopes that make up for the jumps of speed: at the smooth joints of `section`, at its own
+/// knots of full multiplicity (less one), and across the seam of a loop, if the section has the same
+/// direction on both sides. The law keeps its values there, and increases. section: what is composed with it.
 [[nodiscard]] Curve with_even_speed(const Curve& law, const Curve& section, bool loop, double angle);
 
 }  // namespace detail

@@ -21,9 +21,10 @@ using detail::EndSlopes;
 using detail::Frame;
 using detail::SlopeRange;
 
-/// Spans at which halving ends, tolerance or not, as a share of the domain: a tenth of the usual distance of
-/// nodes.
-constexpr double kShortestSpan = 1.0 / 1024.0;
+/// Spans at which halving ends, tolerance or not, as a share of the domain: where a part of one curve has no
+/// counterpart a path rises by a tenth between nodes that looking once more has put 1/700 of their distance
+/// apart.
+constexpr double kShortestSpan = 1.0 / 16384.0;
 /// Doubles that must lie between two corners, times the order: else the later one is no break of its own.
 constexpr double kRoomPerCoefficient = 16.0;
 /// Slopes at the seam stay this far within the range, so that the neighbours can make up for them.

@@ -5,6 +5,7 @@
 #include <utility>
 #include <variant>
 
+#include "match/second_curve.h"
 #include "surface/even_speed.h"
 #include "surface/joint_matching.h"
 #include "surface/pair_rails.h"
@@ -22,8 +23,8 @@ constexpr double kFiner = 4.0;
 constexpr int kFinest = 3;
 /// For the path itself: a polyline as near to it as it makes sense.
 constexpr double kOnPath = 1e-6;
-/// Slopes of such laws, as those of rule(): where a part of one section has no counterpart in the other, the
-/// other one has to all but stand still meanwhile.
+/// Slopes of laws that would be invalid or too far from the path otherwise, as those of rule(): where a part
+/// of one section has no counterpart in the other, the other one has to all but stand still meanwhile.
 constexpr double kSteep = 1e-3;
 /// Share of the length that a law may add to what is invalid of the path itself.
 constexpr double kSlack = 2e-4;
@@ -49,6 +50,7 @@ std::vector<RailNorm> refinements(NormKind test, int dim) {
 SectionChain::SectionChain(std::span<const Curve> given, std::vector<SectionPath> paths,
                            const SkinOptions& options)
     : given_(given), paths_(std::move(paths)), options_(&options) {
+  const std::vector<SectionPath> matched = paths_;
   const Curve& first = given_.front();
   // Its own parameter is everybody's, unless its speed jumps.
   if (smooth_joints(first, options.match.corner_angle).empty()) {
@@ -56,7 +58,14 @@ SectionChain::SectionChain(std::span<const Curve> given, std::vector<SectionPath
   } else {
     put(0);
   }
-  for (std::size_t k = 1; k < given_.size(); ++k) put(k);
+  for (std::size_t k = 1; k < given_.size(); ++k) {
+    // It was matched with points of the section before. Within the tolerance they are where its law has them;
+    // to follow the law there would only add its own noise.
+    if (laws_[k - 1].max_deviation > options.law.tolerance) {
+      paths_[k] = carry_over(matched[k], matched[k - 1].correspondence, moved(k - 1, laws_[k - 1]));
+    }
+    put(k);
+  }
   for (std::size_t k = 0; k < pairs(); ++k) costs_.push_back(cost_of(k));
 }
 
@@ -87,9 +96,13 @@ bool SectionChain::rematch(std::size_t k) {
 
 int SectionChain::settle() {
   int changed = 0;
+  const std::vector<Reparametrization> before = laws_;
   for (std::size_t k = 1; k < given_.size(); ++k) {
     if (options_->match.progress && !options_->match.progress(1.0)) break;
-    if (changed > 0) put(k);
+    if (changed > 0) {
+      paths_[k] = carry_over(paths_[k], moved(k - 1, before[k - 1]), moved(k - 1, laws_[k - 1]));
+      put(k);
+    }
     if (settle(k)) ++changed;
   }
   for (std::size_t k = 0; k < pairs(); ++k) costs_[k] = cost_of(k);
@@ -118,7 +131,7 @@ bool SectionChain::settle(std::size_t k) {
   }
   if (best.defect >= given) return false;
   set(k, std::move(best.section));
-  move_later(k, best_path);
+  paths_[k] = std::move(best_path);
   return true;
 }
 
@@ -126,9 +139,10 @@ std::vector<SectionPath> SectionChain::refined(std::size_t k) const {
   std::vector<SectionPath> result;
   // A loop that was cut open to be matched has its path in the cut one's parameter.
   if (!(paths_[k].correspondence.domain_v == given_[k].domain())) return result;
+  const Curve neighbour = second_curve(given_[k - 1], paths_[k - 1].correspondence, laws_[k - 1]);
   for (const RailNorm& norm : refinements(test_of(*options_), given_[k].dim())) {
     for (const bool along_neighbour : {false, true}) {
-      result.push_back(refine_section(sections_[k - 1], given_[k], paths_[k], norm,
+      result.push_back(refine_section({neighbour, laws_[k - 1].v}, given_[k], paths_[k], norm,
                                       options_->match.elastic.lambda, along_neighbour));
     }
   }
@@ -149,10 +163,8 @@ SectionChain::Tried SectionChain::try_path(std::size_t k, const SectionPath& pat
   return {std::move(section), found};
 }
 
-void SectionChain::move_later(std::size_t k, const SectionPath& changed) {
-  for (std::size_t j = k + 1; j < given_.size(); ++j)
-    paths_[j] = carry_over(paths_[j], paths_[k].correspondence, changed.correspondence);
-  paths_[k] = changed;
+Correspondence SectionChain::moved(std::size_t k, const Reparametrization& law) const {
+  return as_correspondence(law, paths_[k].correspondence, paths_[k].pins);
 }
 
 bool SectionChain::is_better(const PairCost& a, const PairCost& b) {
@@ -160,7 +172,15 @@ bool SectionChain::is_better(const PairCost& a, const PairCost& b) {
 }
 
 void SectionChain::put(std::size_t k) {
-  set(k, put_in_step(given_[k], paths_[k], options_->law, options_->match.corner_angle));
+  const auto with = [&](const LawOptions& law) {
+    return put_in_step(given_[k], paths_[k], law, options_->match.corner_angle);
+  };
+  SectionInStep section = with(options_->law);
+  if (section.law.max_deviation > options_->law.tolerance && options_->law.min_slope > kSteep) {
+    SectionInStep steep = with({options_->law.order, options_->law.tolerance, kSteep});
+    if (steep.law.max_deviation < section.law.max_deviation) section = std::move(steep);
+  }
+  set(k, std::move(section));
 }
 
 void SectionChain::set(std::size_t k, SectionInStep section) {

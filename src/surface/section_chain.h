@@ -55,7 +55,8 @@ class SectionChain {
   [[nodiscard]] Tried try_path(std::size_t k, const SectionPath& path, const LawOptions& law) const;
   [[nodiscard]] std::vector<SectionPath> refined(std::size_t k) const;
   bool settle(std::size_t k);
-  void move_later(std::size_t k, const SectionPath& changed);
+  /// Where a law has section k, as points of a path.
+  [[nodiscard]] Correspondence moved(std::size_t k, const Reparametrization& law) const;
 
   std::span<const Curve> given_;
   std::vector<SectionPath> paths_;

@@ -9,6 +9,7 @@
 
 #include "match/second_curve.h"
 #include "surface/even_speed.h"
+#include "surface/law_function.h"
 #include "surface/meet_pins.h"
 #include "tandem/curve/compose.h"
 #include "tandem/error.h"
@@ -65,6 +66,21 @@ Correspondence with_points_at(Correspondence c, const std::vector<double>& joint
     }
   }
   return c;
+}
+
+/// Largest distance of the law from the path's points, of a step at one u from its nearest point, as a share
+/// of v's domain.
+double deviation(const Curve& law, const FitPath& path) {
+  const LawFunction function(law);
+  double most = 0.0;
+  for (std::size_t i = 0; i < path.points.size();) {
+    std::size_t end = i + 1;
+    while (end < path.points.size() && path.points[end].u == path.points[i].u) ++end;
+    const double v = function.value(path.points[i].u);
+    most = std::max({most, path.points[i].v - v, v - path.points[end - 1].v});
+    i = end;
+  }
+  return most / (path.points.back().v - path.points.front().v);
 }
 
 Reparametrization law_of(const SectionPath& section, const Correspondence& c, std::vector<double> corners,
@@ -143,9 +159,11 @@ SectionInStep put_in_step(const Curve& section, const SectionPath& path, const L
   const Curve second = second_curve(section, c, law);
   if (options.order > 2) {
     Curve even = with_even_speed(law.v, second, c.closed, corner_angle);
+    const FitPath points = fit_path(c);
     // Pins come first: where both cannot be, the speed may jump.
-    if (std::optional<Curve> through = meet_pins(even, pins_on(fit_path(c), path), c.closed)) {
+    if (std::optional<Curve> through = meet_pins(even, pins_on(points, path), c.closed)) {
       law.v = *std::move(through);
+      law.max_deviation = deviation(law.v, points);
     }
   }
   return {compose(second, law.v), std::move(law)};

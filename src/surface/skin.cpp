@@ -82,11 +82,13 @@ SkinReport report_on(const SectionChain& chain, const Loft& made, const SkinOpti
     report.pairs.push_back(pair);
   }
   report.total_cost = chain.total().cost;
-  for (const Reparametrization& law : chain.laws()) {
-    report.law_deviation = std::max(report.law_deviation, law.max_deviation);
-  }
-  report.crease_angle =
-      detail::crease_angle(made.surface, sections, made.parameters, options.match.corner_angle);
+  // The first one's only says at which parameters all others meet it.
+  for (std::size_t k = 1; k < sections.size(); ++k)
+    report.law_deviation = std::max(report.law_deviation, chain.laws()[k].max_deviation);
+  const detail::Creases creases =
+      detail::find_creases(made.surface, sections, made.parameters, options.match.corner_angle);
+  report.crease_angle = creases.laws;
+  report.section_crease_angle = creases.sections;
   report.wrong_sign_share = detail::wrong_sign_share(made.surface);
   report.interpolation_error = detail::interpolation_error(made.surface, sections, made.parameters);
   return report;

@@ -18,6 +18,8 @@ namespace {
 
 /// Places per section at which costs are summed: some four per node of a match.
 constexpr int kPlaces = 512;
+/// Speeds that differ by a smaller share make no crease that anybody sees.
+constexpr double kSameSpeed = 1e-6;
 /// Places per section at which the interpolation is checked.
 constexpr int kProbes = 64;
 
@@ -33,15 +35,34 @@ double angle_between(std::span<const double> a, std::span<const double> b) {
   return scaled_norm(a) == 0.0 || scaled_norm(b) == 0.0 ? 0.0 : 2.0 * std::asin(chord);
 }
 
-/// The turn of a section's tangent at u; `seam`: from the end of its domain to the start.
-double turn_at(const Curve& section, double u, bool seam) {
+/// What a section does at a parameter.
+struct Joint {
+  double turn = 0.0;  ///< of its tangent, in radians
+  double jump = 0.0;  ///< of its speed, as a share of the larger one
+};
+
+/// `seam`: from the end of its domain to the start.
+Joint joint_at(const Curve& section, double u, bool seam) {
   const double before = seam ? section.domain().hi : u;
   Points rows[2] = {section.derivatives(before, 1, Side::left), section.derivatives(u, 1, Side::right)};
-  for (Points& row : rows) {
-    const double speed = scaled_norm(row[1]);
-    for (double& x : row[1]) x = speed > 0.0 ? x / speed : 0.0;
+  double speeds[2];
+  for (std::size_t side = 0; side < 2; ++side) {
+    speeds[side] = scaled_norm(rows[side][1]);
+    for (double& x : rows[side][1]) x = speeds[side] > 0.0 ? x / speeds[side] : 0.0;
   }
-  return angle_between(rows[0][1], rows[1][1]);
+  const double larger = std::max(speeds[0], speeds[1]);
+  return {angle_between(rows[0][1], rows[1][1]),
+          larger > 0.0 ? std::abs(speeds[0] - speeds[1]) / larger : 0.0};
+}
+
+/// All sections' together: the largest turn, the largest jump.
+Joint joint_at(std::span<const Curve> sections, double u, bool seam) {
+  Joint worst;
+  for (const Curve& section : sections) {
+    const Joint own = joint_at(section, u, seam);
+    worst = {std::max(worst.turn, own.turn), std::max(worst.jump, own.jump)};
+  }
+  return worst;
 }
 
 /// Places per span at which signs are looked at, for the middle of each share of a span.
@@ -94,9 +115,9 @@ PairCost cost_between(const SectionLook& a, const SectionLook& b, double lambda)
   return sum;
 }
 
-double crease_angle(const Surface& surface, std::span<const Curve> sections,
-                    std::span<const double> parameters, double corner_angle) {
-  if (surface.dim() != 3) return 0.0;
+Creases find_creases(const Surface& surface, std::span<const Curve> sections,
+                     std::span<const double> parameters, double corner_angle) {
+  if (surface.dim() != 3) return {};
   std::vector<double> v;
   for (std::size_t j = 0; j < parameters.size(); ++j) {
     const double next = j + 1 < parameters.size() ? parameters[j + 1] : surface.domain(Along::v).hi;
@@ -105,22 +126,21 @@ double crease_angle(const Surface& surface, std::span<const Curve> sections,
       v.insert(v.end(), {0.75 * parameters[j] + 0.25 * next, 0.5 * parameters[j] + 0.5 * next});
   }
   const Interval domain = surface.domain(Along::u);
-  double worst = 0.0;
+  Creases creases;
   for (const Knot& knot : distinct_knots(surface.knots(Along::u))) {
     const bool seam = knot.value == domain.lo && surface.is_closed(Along::u);
     const bool inside = domain.lo < knot.value && knot.value < domain.hi;
     if (!seam && !(inside && knot.multiplicity >= surface.degree(Along::u))) continue;
-    if (std::any_of(sections.begin(), sections.end(),
-                    [&](const Curve& c) { return turn_at(c, knot.value, seam) > corner_angle; })) {
-      continue;
-    }
+    const Joint joint = joint_at(sections, knot.value, seam);
+    if (joint.turn > corner_angle) continue;
+    double& worst = joint.jump > kSameSpeed ? creases.laws : creases.sections;
     for (const double at : v) {
       const Point left = surface.normal(seam ? domain.hi : knot.value, at, {Side::left, Side::right});
       const Point right = surface.normal(knot.value, at, {Side::right, Side::right});
       worst = std::max(worst, angle_between(left, right));
     }
   }
-  return worst;
+  return creases;
 }
 
 double wrong_sign_share(const Surface& surface) {

@@ -26,9 +26,15 @@ struct SectionLook {
 [[nodiscard]] SectionLook look_at(const Curve& section);
 [[nodiscard]] PairCost cost_between(const SectionLook& a, const SectionLook& b, double lambda);
 
-/// See SkinReport::crease_angle. sections: in step, they tell where the shape itself has corners.
-[[nodiscard]] double crease_angle(const Surface& surface, std::span<const Curve> sections,
-                                  std::span<const double> parameters, double corner_angle);
+/// Largest creases along lines u = const, in radians.
+struct Creases {
+  double laws = 0.0;      ///< see SkinReport::crease_angle
+  double sections = 0.0;  ///< see SkinReport::section_crease_angle
+};
+
+/// sections: in step, they tell where the shape itself has corners.
+[[nodiscard]] Creases find_creases(const Surface& surface, std::span<const Curve> sections,
+                                   std::span<const double> parameters, double corner_angle);
 
 /// See SkinReport::wrong_sign_share; 0 if the surface is not in R^2.
 [[nodiscard]] double wrong_sign_share(const Surface& surface);

@@ -75,6 +75,17 @@ TEST(SmoothLaw, StaysIncreasingWhereThePathStandsStillOrJumps) {
   expect_increasing(law.v);
 }
 
+// Where a part of one curve has no counterpart the path jumps between two nodes.
+TEST(SmoothLaw, FollowsAJump) {
+  FitPath path;
+  for (int i = 0; i <= 1000; ++i) path.points.push_back({0.001 * i, 0.0009 * i + (i > 400 ? 0.1 : 0.0)});
+  path.points.back() = {1.0, 1.0};
+  const Reparametrization law = smooth_law(path);
+  EXPECT_LE(law.max_deviation, 1e-3);
+  EXPECT_LT(law.v.size(), 80U);
+  expect_increasing(law.v);
+}
+
 TEST(SmoothLaw, RefusesNonsense) {
   EXPECT_THROW(static_cast<void>(smooth_law(wave(0.5, 10), {.order = 1})), InvalidArgument);
   EXPECT_THROW(static_cast<void>(smooth_law(wave(0.5, 10), {.tolerance = 0.0})), InvalidArgument);

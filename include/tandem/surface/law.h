@@ -18,7 +18,7 @@ struct LawOptions {
 
 /// A strictly increasing v(u) without creases over [first u, last u] of the path: the constrained
 /// least-squares fit from corner to corner, with knots where they are needed: spans are halved where the fit
-/// is not within the tolerance, down to 1/1024 of the domain.
+/// is not within the tolerance, down to 1/16384 of the domain.
 ///
 /// v is C^(order-2) but for the path's corners, where it is C0. loop: the path is one period, and v runs on
 /// smoothly (C1) across the seam, unless that is a corner. Order 2: fit(). As with fit(), the tolerance may

@@ -36,7 +36,8 @@ struct SkinOptions {
   /// Of order 3 by default: C1 is enough for normals without jumps, and the degree of a section is multiplied
   /// by that of its law. The tolerance is a fifth of the distance of nodes: what is finer in a path is their
   /// noise (measured: from 1e-3 to 2e-3 total costs fall by 1 to 2 %, and heights of bells are kept better).
-  /// The slopes are those at which no section nearly stands still.
+  /// The slopes are those at which no section nearly stands still; where they keep a law off its path by more
+  /// than the tolerance, or make it invalid, slopes of 1e-3 to 1e3 are tried.
   LawOptions law = {.order = 3, .tolerance = 2e-3, .min_slope = 0.02};
 };
 
@@ -57,9 +58,11 @@ struct SkinReport {
   double sequence_cost = 0.0;
   int sweeps = 0;   ///< of joint matching that lowered the cost
   int refined = 0;  ///< sections, counted again when found again, whose paths were looked for once more
-  /// Largest angle between the normals on both sides of a line u = const on which no section has a corner, in
-  /// radians; 0 if the surface is not in R^3.
+  /// Largest angle between the normals on both sides of a line u = const on which no section has a corner but
+  /// the speed of one jumps, in radians: what the laws are to blame for. 0 if the surface is not in R^3.
   double crease_angle = 0.0;
+  /// The same where all speeds are even: there sections turn themselves, by no more than match.corner_angle.
+  double section_crease_angle = 0.0;
   /// In R^2: the share of the area on which the surface folds over, where S_u x S_v has the rarer sign; by
   /// samples. Validity is of tangents, and sees none of that.
   double wrong_sign_share = 0.0;
@@ -82,12 +85,11 @@ struct SkinnedSurface {
 
 /// The surface through n curves that run along u, put in step (spec C14, C15e).
 ///
-/// Sections are all open or all closed; seams and directions are found. Their laws v(u) are monotone and C1,
-/// so that the surface has no creases but where sections have corners, or
-/// joints where the speed jumps more than a law can make up for (crease_angle tells); sections keep their
-/// geometry exactly. Neighbours in a chain depend on each other through nothing but their own law, so that
-/// for an open chain matching in sequence is the optimum already, but for samples and fits; a closed loft is
-/// a ring, and there joint matching finds what sequence cannot.
+/// Sections are all open or all closed; seams and directions are found. Their laws v(u) are monotone, and C1
+/// but where a section's speed jumps, for which they make up: the surface has no creases but where sections
+/// turn; sections keep their geometry exactly. Neighbours in a chain depend on each other through nothing but
+/// their own law, so that for an open chain matching in sequence is the optimum already, but for samples and
+/// fits; a closed loft is a ring, and there joint matching finds what sequence cannot.
 /// @throws InvalidArgument as match() and loft(); sections that coincide; pins whose number of parameters is
 ///         not that of the sections
 [[nodiscard]] TANDEM_EXPORT SkinnedSurface skin(std::span<const Curve> sections,
