@@ -39,8 +39,14 @@ Path elastic_path(const Samples& a, const Samples& b, const MatchOptions& option
                                                               : sign,
                                 band, progress, beat));
   }
+  // Large tables take as long as a programme that asks on its way.
+  const auto stop = [&] { return progress && !progress(0.0); };
+  Path stopped;
+  stopped.cancelled = true;
+  if (stop()) return stopped;
   const Aggregate aggregate = aggregate_of(options.norm);
   const NodeTable chords = chord_costs(a, b, options.norm, options.features, sign);
+  if (stop()) return stopped;
   EdgeRows edges(a, b, chords, options.elastic, aggregate);
   return best_elastic_path(edges, aggregate, band, progress, beat);
 }
