@@ -7,8 +7,11 @@
 #include <cmath>
 #include <cstdint>
 #include <numeric>
+#include <optional>
+#include <span>
 #include <utility>
 
+#include "surface/grid_sampler.h"
 #include "tandem/error.h"
 
 namespace tandem {
@@ -32,9 +35,13 @@ constexpr double kThin = 1e-3;
 
 // Grids larger than this are refused as soon as they are bound to end above kMostVertices: cells are small by
 // then, and bends fall to a quarter with each halving. With a factor to spare, for features that halving
-// singles out.
-constexpr std::size_t kForesight = std::size_t{1} << 15U;
-constexpr double kToSpare = 4.0;
+// singles out; less of it the finer the grid is.
+struct Foresight {
+  std::size_t cells;
+  double to_spare;
+};
+constexpr std::array<Foresight, 2> kForesight = {
+    {{std::size_t{1} << 15U, 2.0}, {std::size_t{1} << 18U, 1.0}}};
 
 struct Split {
   bool u = false;
@@ -56,6 +63,7 @@ class CellJudge {
  public:
   CellJudge(const ScaledSurface& surface, double chord, double angle)
       : surface_(surface),
+        sampler_(surface),
         chord_(kSampled * chord),
         thin_(std::min(chord, kThin)),
         cosine_(std::cos(std::min(angle, 3.14))) {}
@@ -69,6 +77,8 @@ class CellJudge {
     sample(u, v);
     const CellCorners<Vector3> corners = {at(0, 0), at(inside_u_ + 1, 0), at(inside_u_ + 1, inside_v_ + 1),
                                           at(0, inside_v_ + 1)};
+    const bool near = is_near(corners);
+    if (near && !angles) return {};
     const Vector3 middle = surface_.point(u.lo + u.length() / 2.0, v.lo + v.length() / 2.0);
     const CellCorners<Vector3> normals = {
         surface_.normal(u.lo, v.lo, {Side::right, Side::right}),
@@ -80,8 +90,10 @@ class CellJudge {
     const CellTriangles triangles = split_cell(corners, middle, normal);
     // The edges count by themselves: where a flat surface ends, its triangles would stand out beyond a
     // hollow.
-    const double off = std::max({deviation(corners, triangles), edge_bend(Along::u), edge_bend(Along::v)});
-    if (off > chord_) return choose(corners, off);
+    if (!near) {
+      const double off = std::max({deviation(corners, triangles), edge_bend(Along::u), edge_bend(Along::v)});
+      if (off > chord_) return choose(corners, off);
+    }
     if (angles && !agree(corners, normals, triangles)) return choose_for_angle(corners, normals);
     return {};
   }
@@ -96,13 +108,39 @@ class CellJudge {
   [[nodiscard]] const Vector3& at(std::size_t i, std::size_t j) const { return samples_[i][j]; }
 
   void sample(Interval u, Interval v) {
+    std::array<double, kInsideSpan + 2> places{};
+    const auto spread = [&](Interval whole, std::size_t inside) {
+      for (std::size_t k = 0; k <= inside + 1; ++k)
+        places[k] = whole.lo + static_cast<double>(k) / static_cast<double>(inside + 1) * whole.length();
+      return std::span<const double>(places).first(inside + 2);
+    };
+    // Cells come row by row.
+    if (!rows_ || !(*rows_ == u)) sampler_.set_rows(spread(u, inside_u_));
+    rows_ = u;
+    sampler_.set_columns(spread(v, inside_v_));
+    for (std::size_t i = 0; i <= inside_u_ + 1; ++i) {
+      for (std::size_t j = 0; j <= inside_v_ + 1; ++j) samples_[i][j] = sampler_.at(i, j);
+    }
+  }
+
+  /// Whether the samples are as near as they must be to the points of the triangles, cut either way, that
+  /// have the same share of the cell: then they are as near to the triangles.
+  [[nodiscard]] bool is_near(const CellCorners<Vector3>& c) const {
+    const double limit = chord_ * chord_;
     for (std::size_t i = 0; i <= inside_u_ + 1; ++i) {
       const double s = static_cast<double>(i) / static_cast<double>(inside_u_ + 1);
       for (std::size_t j = 0; j <= inside_v_ + 1; ++j) {
         const double t = static_cast<double>(j) / static_cast<double>(inside_v_ + 1);
-        samples_[i][j] = surface_.point(u.lo + s * u.length(), v.lo + t * v.length());
+        const Vector3 along = t <= s ? c[0] + s * (c[1] - c[0]) + t * (c[2] - c[1])
+                                     : c[0] + t * (c[3] - c[0]) + s * (c[2] - c[3]);
+        const Vector3 across = s + t <= 1.0 ? c[0] + s * (c[1] - c[0]) + t * (c[3] - c[0])
+                                            : c[2] + (1.0 - s) * (c[3] - c[2]) + (1.0 - t) * (c[1] - c[2]);
+        const Vector3 off_along = at(i, j) - along;
+        const Vector3 off_across = at(i, j) - across;
+        if (std::max(dot(off_along, off_along), dot(off_across, off_across)) > limit) return false;
       }
     }
+    return true;
   }
 
   [[nodiscard]] double deviation(const CellCorners<Vector3>& corners, const CellTriangles& triangles) const {
@@ -155,8 +193,13 @@ class CellJudge {
       split.parts_u = split.parts_v = std::sqrt(off / chord_);
       return split;
     }
-    return {u >= v || u > chord_, v > u || v > chord_, std::sqrt(std::max(1.0, u / chord_)),
-            std::sqrt(std::max(1.0, v / chord_))};
+    return {u >= v || u > chord_, v > u || v > chord_, halved_parts(u / chord_), halved_parts(v / chord_)};
+  }
+
+  /// Into how many parts halving cuts a curve that bends by `bend` times as much as it may: a quarter is left
+  /// of it each time.
+  [[nodiscard]] static double halved_parts(double bend) {
+    return bend > 1.0 ? std::exp2(std::ceil(0.5 * std::log2(bend))) : 1.0;
   }
 
   [[nodiscard]] static Split longer(const CellCorners<Vector3>& c) {
@@ -196,6 +239,8 @@ class CellJudge {
   }
 
   const ScaledSurface& surface_;
+  GridSampler sampler_;
+  std::optional<Interval> rows_;  ///< that the sampler has
   double chord_;
   double thin_;
   double cosine_;
@@ -279,8 +324,10 @@ ParameterGrid fine_grid(const ScaledSurface& surface, double chord, double angle
         parts_v[j] = std::max(parts_v[j], split.parts_v);
       }
     }
-    const bool is_bound_to_end_above = sum_of(parts_u) * sum_of(parts_v) > kToSpare * kMostVertices;
-    if (u.size() * v.size() > kForesight && is_bound_to_end_above) refuse(chord);
+    const double in_the_end = sum_of(parts_u) * sum_of(parts_v);
+    for (const Foresight& look : kForesight) {
+      if (u.size() * v.size() > look.cells && in_the_end > look.to_spare * kMostVertices) refuse(chord);
+    }
     Intervals finer_u = halve(u, split_u);
     Intervals finer_v = halve(v, split_v);
     if (finer_u.size() == u.size() && finer_v.size() == v.size()) return {lines_of(u), lines_of(v)};

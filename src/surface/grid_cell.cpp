@@ -39,10 +39,16 @@ ScaledSurface::ScaledSurface(const Surface& surface) : surface_(surface) {
 
 Vector3 ScaledSurface::point(double u, double v) const {
   Vector3 p{};
-  const auto dim = static_cast<std::size_t>(surface_.dim());
-  SurfaceEvaluator(surface_).point(u, v, std::span<double>(p).first(dim));
+  const auto place = std::span<double>(p).first(static_cast<std::size_t>(surface_.dim()));
+  SurfaceEvaluator(surface_).point(u, v, place);
+  return scaled(place);
+}
+
+Vector3 ScaledSurface::scaled(std::span<const double> point) const {
   if (!(surface_.extent() > 0.0)) return {};
-  for (std::size_t c = 0; c < dim; ++c) p[c] = p[c] / surface_.extent() - origin_[c] / surface_.extent();
+  Vector3 p{};
+  for (std::size_t c = 0; c < point.size(); ++c)
+    p[c] = point[c] / surface_.extent() - origin_[c] / surface_.extent();
   return p;
 }
 

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 
 #include "surface/vector3.h"
 #include "tandem/surface/surface.h"
@@ -19,6 +20,8 @@ class ScaledSurface {
 
   [[nodiscard]] const Surface& surface() const noexcept { return surface_; }
   [[nodiscard]] Vector3 point(double u, double v) const;
+  /// A point of the surface, or a control point.
+  [[nodiscard]] Vector3 scaled(std::span<const double> point) const;
   /// Unit, or zero where the surface has none.
   [[nodiscard]] Vector3 normal(double u, double v, SurfaceSides sides) const;
 

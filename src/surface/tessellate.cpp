@@ -250,6 +250,16 @@ TriangleMesh tessellate(const Surface& surface, const TessellateOptions& options
   if (!(options.angle > 0.0)) {
     throw InvalidArgument(fmt::format("the angle is {}, expected more than 0", options.angle));
   }
+  double most = 0.0;
+  for (const double x : surface.control_points().data()) most = std::max(most, std::fabs(x));
+  // Of the extent; points are not known better, and triangles would be made of that.
+  const double rounding = most * std::numeric_limits<double>::epsilon() / surface.extent();
+  if (surface.extent() > 0.0 && options.chord < rounding) {
+    throw InvalidArgument(
+        fmt::format("at coordinates of {:.3g} doubles know a surface of size {:.3g} to {:.1g} of its size: "
+                    "expected a larger chord distance than {}, or a surface nearer to the origin",
+                    most, surface.extent(), rounding, options.chord));
+  }
   return detail::Tessellation(surface, options).mesh(options.joints);
 }
 
