@@ -161,6 +161,10 @@ Format output_format(const std::string& path, const std::string& to, const std::
     if (fits && allows(allowed, ending.format)) return ending.format;
     if (fits) break;
   }
+  if (fs::is_directory(path, error)) {
+    throw UsageError(
+        fmt::format("{} is a directory, expected a file: {}", path, list(allowed, &Ending::text)));
+  }
   throw UsageError(fmt::format("{}: the ending does not tell a format; there is {}{}, or use --to", path,
                                list(allowed, &Ending::text),
                                allows(allowed, Format::directory) ? ", DIRECTORY/" : ""));

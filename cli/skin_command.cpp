@@ -82,14 +82,32 @@ Curve lifted(const Curve& curve, double z) {
   return Curve(curve.degree(), curve.knots(), std::move(points), curve.weights());
 }
 
+/// Levels so near or so far, against the size of what is stacked, are a slip: doubles tell neither the shape
+/// nor the distance.
+constexpr double kLargestSpacing = 1e9;
+
+void check_spacing(const Command& command, double spacing, const std::vector<std::vector<Curve>>& levels) {
+  double extent = 0.0;
+  for (const auto& level : levels) {
+    for (const Curve& curve : level) extent = std::max(extent, curve.extent());
+  }
+  const double share = std::fabs(spacing) / extent;
+  if (share <= kLargestSpacing && share >= 1.0 / kLargestSpacing) return;
+  throw tandem::InvalidArgument(
+      fmt::format("--spacing {} does not go with inputs of size {:.3g}: expected {:.3g} to {:.3g}",
+                  command.skin.spacing, extent, extent / kLargestSpacing, extent * kLargestSpacing));
+}
+
 /// The inputs' contours, input by input, stacked if that was asked for.
 std::vector<std::vector<Curve>> read_levels(const Command& command, const Plan& plan) {
   std::vector<std::vector<Curve>> levels;
   for (Shape& shape : load_inputs(command, 1, std::string::npos)) {
     levels.push_back(std::move(shape.contours));
-    if (plan.spacing == 0.0) continue;
-    const double z = plan.spacing * static_cast<double>(levels.size() - 1);
-    for (Curve& curve : levels.back()) curve = lifted(curve, z);
+  }
+  if (plan.spacing == 0.0) return levels;
+  check_spacing(command, plan.spacing, levels);
+  for (std::size_t k = 0; k < levels.size(); ++k) {
+    for (Curve& curve : levels[k]) curve = lifted(curve, plan.spacing * static_cast<double>(k));
   }
   return levels;
 }

@@ -28,7 +28,7 @@ if(TANDEM_HAS_OCCT)
   # Lofts are for the tests alone.
   set(occt_test_libraries ${occt_libraries})
   list(REMOVE_ITEM occt_libraries ${OCCT_TKOffset})
-  target_link_libraries(tandem_cad PRIVATE tandem_io ${occt_libraries})
+  target_link_libraries(tandem_cad PRIVATE tandem_io fmt::fmt ${occt_libraries})
   set_target_properties(tandem_cad PROPERTIES LIBRARY_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR})
   install(TARGETS tandem_cad LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
 endif()

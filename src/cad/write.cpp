@@ -1,5 +1,7 @@
 #include "cad/write.h"
 
+#include <fmt/format.h>
+
 #include <BRepBuilderAPI_MakeEdge.hxx>
 #include <BRepBuilderAPI_MakeFace.hxx>
 #include <BRepBuilderAPI_MakeWire.hxx>
@@ -42,8 +44,8 @@ constexpr double kSmallest = 10.0 * kPrecision;
 // OpenCASCADE leaves out what is smaller than its precision, without a word.
 void check_size(double extent, const char* what) {
   if (extent > kSmallest) return;
-  throw InvalidArgument(std::string(what) + " of size " + std::to_string(extent) +
-                        " is too small for a CAD file, whose precision is 1e-7; scale it up");
+  throw InvalidArgument(fmt::format(
+      "{} of size {:.3g} is too small for a CAD file, whose precision is 1e-7; scale it up", what, extent));
 }
 
 TopoDS_Shape to_shape(const Curve& curve) {

@@ -95,6 +95,7 @@ void append_chunk(std::string& bytes, std::uint32_t kind, std::string content, c
 std::string format_glb(const TriangleMesh& mesh) {
   if (mesh.triangles.empty()) throw InvalidArgument("a mesh without triangles, which glTF cannot hold");
   Parts parts;
+  detail::check_floats(mesh.vertices.data(), 3);
   add_attribute(parts, "POSITION", mesh.vertices, true);
   add_attribute(parts, "NORMAL", mesh.normals, false);
   add_attribute(parts, "TEXCOORD_0", texture_coordinates(mesh), false);

@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -35,6 +37,30 @@ inline void put_float(std::string& bytes, double number) {
   std::uint32_t word = 0;
   std::memcpy(&word, &rounded, sizeof word);
   put_half_word(bytes, word);
+}
+
+/// Whether floats of 32 bits tell points of this cloud apart, as far as a picture of it needs that.
+/// @throws InvalidArgument they do not: it lies too far from the origin for its size
+inline void check_floats(std::span<const double> numbers, std::size_t dim) {
+  double size = 0.0;
+  double most = 0.0;
+  for (std::size_t c = 0; c < dim; ++c) {
+    double lo = std::numeric_limits<double>::infinity();
+    double hi = -lo;
+    for (std::size_t k = c; k < numbers.size(); k += dim) {
+      lo = std::min(lo, numbers[k]);
+      hi = std::max(hi, numbers[k]);
+    }
+    if (!(lo <= hi)) return;
+    size = std::max(size, hi - lo);
+    most = std::max({most, std::fabs(lo), std::fabs(hi)});
+  }
+  constexpr double kSteps = 1000.0;  // across the whole
+  if (size >= kSteps * most * std::numeric_limits<float>::epsilon()) return;
+  throw InvalidArgument(
+      fmt::format("numbers of 32 bits, which this format has, do not tell points of something of size {:.3g} "
+                  "apart at coordinates of {:.3g}; move it to the origin, or write .ply, .obj or .json",
+                  size, most));
 }
 
 inline void put_number(std::string& bytes, double number) {

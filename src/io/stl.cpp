@@ -10,6 +10,7 @@ namespace tandem {
 inline namespace v0 {
 
 std::string format_stl(const TriangleMesh& mesh) {
+  detail::check_floats(mesh.vertices.data(), 3);
   constexpr std::size_t kHead = 80;
   constexpr std::size_t kTriangle = 50;
   // It must not begin with "solid", which the text form does.

@@ -1,7 +1,7 @@
 # STEP, IGES and BREP, by way of the CAD component; without it the program says so.
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 
-letters=$(dirname "${BASH_SOURCE[0]}")/../../examples/data/letters_ef.json
+letters=$examples/letters_ef.json
 
 if [[ ! -e $(dirname "$TANDEM")/libtandem_cad.so ]]; then
   expect 3 rule "$letters#0" "$letters#1" -o a.step
@@ -61,6 +61,14 @@ expect 3 loft-repair "$letters" -o x.step
 expect 0 convert "$letters#0" -o one.step
 expect 3 loft-repair one.step -o x.step
 err_has 'at least 2'
+echo '[{"degree": 1, "points": [[0,0,0],[1e-9,0,0]]}, {"degree": 1, "points": [[0,1e-9,0],[1e-9,1e-9,1e-9]]}]' >tiny.json
+expect 3 convert tiny.json -o x.step
+err_has 'a curve of size 1e-09 is too small'
+expect 3 rule tiny.json#0 tiny.json#1 -o x.step
+err_has 'a surface of size 1\.73e-09 is too small'
+mkdir folder
+expect 2 loft-repair letters.step -o folder
+err_has 'folder is a directory'
 echo nonsense >bad.step
 expect 3 info bad.step
 err_has 'bad\.step'

@@ -2,6 +2,7 @@
 # In: TANDEM (the program), DATA (tests/data), SANITIZE (not empty under a sanitizer).
 set -uo pipefail
 
+examples=$(cd "$(dirname "${BASH_SOURCE[0]}")/../../examples/data" && pwd)
 work=$(mktemp -d)
 trap 'chmod -R u+w "$work"; rm -rf "$work"' EXIT
 cd "$work" || exit 1

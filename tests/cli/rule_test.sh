@@ -1,7 +1,6 @@
 # rule and blend: what they write, what they report, what they refuse.
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 
-examples=$DATA/../../examples/data
 u=("$examples/u_planar.json#0" "$examples/u_planar.json#1")
 letters=("$examples/letters_ef.json#0" "$examples/letters_ef.json#1")
 
@@ -116,6 +115,25 @@ mkdir here.json
 expect 1 rule "${u[@]}" -o here.json
 err_has 'cannot write here.json'
 rmdir here.json
+
+mkdir folder
+expect 2 rule "${u[@]}" -o folder
+err_has 'folder is a directory, expected a file'
+rmdir folder
+
+# too far away for what is asked
+for at in 1e9 1e15; do
+  awk -v at=$at 'BEGIN {
+    for (k = 0; k < 2; ++k)
+      printf "%s{\"degree\": 2, \"points\": [[%.17g,0,%d],[%.17g,2,%d],[%.17g,0,%d]]}", k ? ", " : "[", at, k, at + 2, k, at + 4, k
+    print "]"
+  }' >"far$at.json"
+done
+expect 3 rule far1e9.json#0 far1e9.json#1 -o x.stl
+err_has 'numbers of 32 bits.* at coordinates of 1e\+09'
+expect 0 rule far1e9.json#0 far1e9.json#1 -o far.ply
+expect 3 rule far1e15.json#0 far1e15.json#1 -o x.ply
+err_has 'at coordinates of 1e\+15 doubles know a surface of size [0-9.]+ to 0\.0[0-9] of its size: expected a larger chord'
 
 # what is refused
 expect 3 rule "${letters[0]}" "${letters[0]}" -o x.json

@@ -1,7 +1,7 @@
 # tandem skin: surfaces through curves, and solids through contours.
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 
-bells=$(dirname "${BASH_SOURCE[0]}")/../../examples/data/bells.json
+bells=$examples/bells.json
 
 # One line {"points": ...} of a square of the given size at height z.
 square_at() {
@@ -33,6 +33,13 @@ expect 0 skin "$bells" -o - --rows 4
 expect 0 skin "$bells#0" "$bells#1" -o - --pin '2.5,0,0=6.5,2.5,0'
 expect 0 skin "$square" 'M0 0H5V4H0Z' 'M0 0H6V5H0Z' -o ring.json --spacing 2 --ring
 expect 0 skin "$square" "$triangle" -o planar.json --spacing -1
+for spacing in 1e300 1e-300 -1e12; do
+  expect 3 skin "$square" "$triangle" -o x.json --spacing $spacing
+  err_has "spacing $spacing does not go with inputs of size [0-9.]+: expected [0-9.]+e-09 to [0-9.]+e\+09"
+done
+expect 0 skin "$examples/crow.svg" "$examples/kangaroo.svg" -o - --spacing 100
+err_has 'the law of section 1 is 0\.[0-9]+ of its domain away from the match, 0\.002 was asked for'
+out_has '"section_crease_angle": 0\.0'
 expect 2 skin "$bells" -o - --pin '1,2,3=4,5,6'
 err_has '2 points for 5 sections'
 expect 2 skin "$bells" -o - --pin '1,2=1,2=1,2=1,2=1,2'
