@@ -59,6 +59,10 @@ SectionChain::SectionChain(std::span<const Curve> given, std::vector<SectionPath
     put(0);
   }
   for (std::size_t k = 1; k < given_.size(); ++k) {
+    if (is_stopped()) {
+      cancelled_ = true;
+      return;
+    }
     // It was matched with points of the section before. Within the tolerance they are where its law has them;
     // to follow the law there would only add its own noise.
     if (laws_[k - 1].max_deviation > options.law.tolerance) {
@@ -67,6 +71,10 @@ SectionChain::SectionChain(std::span<const Curve> given, std::vector<SectionPath
     put(k);
   }
   for (std::size_t k = 0; k < pairs(); ++k) costs_.push_back(cost_of(k));
+}
+
+bool SectionChain::is_stopped() const {
+  return options_->match.progress && !options_->match.progress(1.0);
 }
 
 PairCost SectionChain::total() const {
@@ -98,7 +106,7 @@ int SectionChain::settle() {
   int changed = 0;
   const std::vector<Reparametrization> before = laws_;
   for (std::size_t k = 1; k < given_.size(); ++k) {
-    if (options_->match.progress && !options_->match.progress(1.0)) break;
+    if (is_stopped()) break;
     if (changed > 0) {
       paths_[k] = carry_over(paths_[k], moved(k - 1, before[k - 1]), moved(k - 1, laws_[k - 1]));
       put(k);

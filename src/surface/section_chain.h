@@ -20,6 +20,8 @@ class SectionChain {
  public:
   SectionChain(std::span<const Curve> given, std::vector<SectionPath> paths, const SkinOptions& options);
 
+  /// Before all sections were in step: there is nothing to be had of this then.
+  [[nodiscard]] bool cancelled() const { return cancelled_; }
   [[nodiscard]] const std::vector<Curve>& sections() const { return sections_; }
   [[nodiscard]] const std::vector<Reparametrization>& laws() const { return laws_; }
   [[nodiscard]] const std::vector<SectionPath>& paths() const { return paths_; }
@@ -48,6 +50,7 @@ class SectionChain {
     double defect = 0.0;
   };
 
+  [[nodiscard]] bool is_stopped() const;
   void set(std::size_t k, SectionInStep section);
   void put(std::size_t k);
   [[nodiscard]] PairCost cost_of(std::size_t pair) const;
@@ -65,6 +68,7 @@ class SectionChain {
   std::vector<Reparametrization> laws_;
   std::vector<SectionLook> looks_;
   std::vector<PairCost> costs_;
+  bool cancelled_ = false;
 };
 
 }  // namespace detail

@@ -48,6 +48,7 @@ void spread_left_over(SectionChain& chain, std::span<const Curve> given, const S
   last.direction = before.correspondence.reversed ? Direction::reversed : Direction::forward;
   const SectionPath round = detail::follow(before, match(given.back(), given.front(), last));
   SectionChain spread(given, detail::spread_round(chain.paths(), round), options);
+  if (spread.cancelled()) return;
   static_cast<void>(spread.settle());
   if (SectionChain::is_better(spread.total(), chain.total())) chain = std::move(spread);
 }
@@ -118,6 +119,7 @@ SkinnedSurface skin(std::span<const Curve> sections, const SkinOptions& options)
   std::vector<SectionPath> paths = detail::match_in_sequence(sections, options);
   if (paths.empty()) return cancelled_skin(sections, options);
   SectionChain chain(sections, std::move(paths), options);
+  if (chain.cancelled()) return cancelled_skin(sections, options);
   int refined = chain.settle();
   const double sequence_cost = chain.total().cost;
   int sweeps = 0;
@@ -129,6 +131,7 @@ SkinnedSurface skin(std::span<const Curve> sections, const SkinOptions& options)
   }
   if (is_cancelled(options)) return cancelled_skin(sections, options);
   Loft made = loft(chain.sections(), options.loft);
+  if (is_cancelled(options)) return cancelled_skin(sections, options);
   SkinReport report = report_on(chain, made, options);
   report.sequence_cost = sequence_cost;
   report.sweeps = sweeps;

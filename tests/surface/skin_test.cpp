@@ -434,6 +434,18 @@ TEST(Skin, CanBeCancelled) {
   SkinOptions options;
   options.match.progress = [](double) { return false; };
   EXPECT_TRUE(skin(cad_case("bells_5"), options).report.cancelled);
+  // At any time: there is always an answer, and a request that keeps up is heard.
+  const std::vector<Curve> rings[] = {cad_case("bells_5"), ring_of_blobs(4)};
+  for (const std::vector<Curve>& sections : rings) {
+    options.loft.closed = &sections == &rings[1];
+    for (int most = 1; most < 400; most = 2 * most + 1) {
+      int calls = 0;
+      options.match.progress = [&](double) { return ++calls <= most; };
+      const SkinnedSurface skinned = skin(sections, options);
+      EXPECT_EQ(skinned.report.cancelled, calls > most) << most;
+      EXPECT_EQ(skinned.sections.size(), sections.size());
+    }
+  }
 }
 
 std::string message(const std::vector<Curve>& sections, const SkinOptions& options = {}) {
