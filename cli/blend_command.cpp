@@ -56,6 +56,7 @@ Status run(const Command& command) {
         fmt::format("the rails do not match validly on {:.3g} % of their length, smallest <T1,T2> {:.3g}",
                     100.0 * (1.0 - blend.report.validity.valid_share), blend.report.validity.min_dot));
   }
+  warn_of_deviation(messages, "the law", blend.report.law.max_deviation, options.law.tolerance);
   const std::string report = format_blend_report(blend);
   write_surface(plan.output, {&blend.surface,
                               nullptr,

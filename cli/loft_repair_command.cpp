@@ -54,6 +54,7 @@ Status run(const Command& command) {
     return kNoValidMatch;
   }
   if (!skinned.report.valid) messages.warning("not all sections match validly; --json says which");
+  warn_of_deviation(messages, skinned.laws, options.law.tolerance);
   write_output(command.output, tandem::format_cad(*cad_format_of(format), skinned.sections));
   if (command.common.json) write_output("-", format_skin_report(skinned) + "\n");
   return kDone;

@@ -64,7 +64,7 @@ tandem::RuledSurface rule(const Command& command, Plan& plan, const std::vector<
   return tandem::rule(a, b, plan.rule);
 }
 
-void warn(const Messages& messages, const tandem::RuledReport& report,
+void warn(const Messages& messages, const tandem::RuledReport& report, double tolerance,
           const std::optional<tandem::Certificate>& certificate) {
   if (!report.validity.valid) {
     messages.warning(
@@ -77,10 +77,7 @@ void warn(const Messages& messages, const tandem::RuledReport& report,
     messages.warning(
         fmt::format("the law has order {}: smoother ones leave the surface invalid", report.law.order));
   }
-  if (report.law.outcome == tandem::LawOutcome::beyond_tolerance) {
-    messages.warning(fmt::format("the law is {:.3g} of its domain away from the match, {:.3g} was asked for",
-                                 report.law.max_deviation, report.law.tolerance));
-  }
+  warn_of_deviation(messages, "the law", report.law.max_deviation, tolerance);
   if (certificate) warn(messages, *certificate);
 }
 
@@ -97,7 +94,7 @@ Status run(const Command& command) {
   }
   std::optional<tandem::Certificate> certificate;
   if (command.rule.certify) certificate = certify(ruled.surface, plan.rails.output);
-  warn(messages, ruled.report, certificate);
+  warn(messages, ruled.report, plan.rule.law.tolerance, certificate);
   const std::string report = format_rule_report(ruled, certificate);
   write_surface(plan.rails.output, {&ruled.surface,
                                     nullptr,

@@ -35,6 +35,22 @@ tandem::LawOptions law_options(const Command& command, tandem::LawOptions usual)
   return usual;
 }
 
+void warn_of_deviation(const Messages& messages, std::string_view whose, double deviation, double tolerance) {
+  if (!(deviation > tolerance)) return;
+  messages.warning(fmt::format("{} is {:.3g} of its domain away from the match, {:.3g} was asked for", whose,
+                               deviation, tolerance));
+}
+
+void warn_of_deviation(const Messages& messages, const std::vector<tandem::Reparametrization>& laws,
+                       double tolerance) {
+  // The first one has no match.
+  const auto furthest = std::max_element(laws.begin() + 1, laws.end(), [](const auto& a, const auto& b) {
+    return a.max_deviation < b.max_deviation;
+  });
+  warn_of_deviation(messages, fmt::format("the law of section {}", furthest - laws.begin()),
+                    furthest->max_deviation, tolerance);
+}
+
 int ruled_degree(const std::vector<const tandem::Curve*>& kept,
                  const std::vector<const tandem::Curve*>& composed, int q) {
   int highest = 1;

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <functional>
+#include <string_view>
 #include <vector>
 
 #include "commands.h"
 #include "messages.h"
 #include "output.h"
 #include "tandem/curve/curve.h"
+#include "tandem/match/reparametrization.h"
 #include "tandem/surface/law.h"
 
 namespace cli {
@@ -20,6 +22,13 @@ namespace cli {
 /// @throws tandem::InvalidArgument no order fits
 void fit_order(const Command& command, Format format, const std::function<int(int)>& degree_with,
                tandem::LawOptions& law, const Messages& messages);
+
+/// Warns when a law is further from its match than was asked, both as shares of its domain. whose: "the law".
+void warn_of_deviation(const Messages& messages, std::string_view whose, double deviation, double tolerance);
+
+/// The same of the furthest of the sections of a skin.
+void warn_of_deviation(const Messages& messages, const std::vector<tandem::Reparametrization>& laws,
+                       double tolerance);
 
 /// The degree along u of a surface between curves as they are and curves composed with a law of degree q.
 [[nodiscard]] int ruled_degree(const std::vector<const tandem::Curve*>& kept,

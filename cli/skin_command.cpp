@@ -151,14 +151,7 @@ void warn(const Messages& messages, const tandem::SkinnedSurface& skinned, doubl
         "sections {} and {}: not valid on {:.3g} % of their length, least <T1,T2> {:.3g}", k,
         (k + 1) % skinned.sections.size(), 100.0 * (1.0 - validity.valid_share), validity.min_dot));
   }
-  const auto furthest =
-      std::max_element(skinned.laws.begin() + 1, skinned.laws.end(),
-                       [](const auto& a, const auto& b) { return a.max_deviation < b.max_deviation; });
-  if (furthest->max_deviation > tolerance) {
-    messages.warning(
-        fmt::format("the law of section {} is {:.3g} of its domain away from the match, {:.3g} was asked for",
-                    furthest - skinned.laws.begin(), furthest->max_deviation, tolerance));
-  }
+  warn_of_deviation(messages, skinned.laws, tolerance);
 }
 
 Status write_skin(const Command& command, Plan plan, std::vector<std::vector<Curve>> levels,

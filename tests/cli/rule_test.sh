@@ -45,6 +45,11 @@ rm -f crossing.json
 expect 4 rule "${crossing[@]}" -o crossing.json --strict
 that "nothing is written" test ! -e crossing.json
 
+# a law that its slopes and spans keep off its match
+expect 0 rule "${letters[@]}" -o x.json --tolerance 1e-12
+err_has 'the law is [0-9.e-]+ of its domain away from the match, 1e-12 was asked for'
+rm x.json
+
 # blend
 up='{"degree": 1, "points": [[0,2,4],[0,2,4]]}'
 down='{"degree": 1, "points": [[0,2,-4],[0,2,-4]]}'
