@@ -30,7 +30,7 @@ struct TessellateOptions {
 /// Edges that meet share their vertices (Surface::is_closed); those that are a point have one. Planar
 /// surfaces lie in z = 0. Deviations are measured at samples, several in each cell.
 /// @throws InvalidArgument a surface of another dimension than 2 and 3; chord or angle not above 0; more than
-/// 2^22 vertices would be needed
+/// 2^22 vertices would be needed; a chord distance that doubles do not resolve as far from the origin
 [[nodiscard]] TANDEM_EXPORT TriangleMesh tessellate(const Surface& surface,
                                                     const TessellateOptions& options = {});
 
