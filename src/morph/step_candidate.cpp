@@ -283,14 +283,15 @@ std::optional<StepCandidate> StepKeys::match(const Turned& turned, const MatchOp
 
 std::optional<StepCandidate> StepKeys::parted(const StepCandidate& candidate, const Turned& turned,
                                               std::size_t parted) const {
-  // The longest pair stays, whatever it costs.
+  // The longest pair stays, whatever it costs, and so do lines.
   std::vector<std::size_t> order;
   std::size_t longest = 0;
   double most = -1.0;
   const auto length = [](const CubicPath& path) { return path_length(path.control_points().data()); };
   for (std::size_t p = 0; p < turned.pairs.size(); ++p) {
     const ContourPair& pair = turned.pairs[p];
-    if (!pair.a || !pair.b) continue;
+    // Lines may cross.
+    if (!pair.a || !pair.b || !a_.paths[*pair.a].is_closed() || !b_.paths[*pair.b].is_closed()) continue;
     order.push_back(p);
     const double both = length(a_.paths[*pair.a]) + length(b_.paths[*pair.b]);
     if (both > most) {

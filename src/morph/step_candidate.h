@@ -90,8 +90,8 @@ class StepKeys {
   [[nodiscard]] std::optional<StepCandidate> match(const Turned& turned, const MatchOptions& options,
                                                    bool mirrored = false) const;
   /// The candidate with the pairs that have least in common parted, so many of them: one dies, the other one
-  /// is born. Never the longest pair, and none where pins hold them: nothing when there are not as many.
-  /// candidate: of match() under this turn
+  /// is born. Never the longest pair, nor lines, and none where pins hold them: nothing when there are not as
+  /// many. candidate: of match() under this turn
   [[nodiscard]] std::optional<StepCandidate> parted(const StepCandidate& candidate, const Turned& turned,
                                                     std::size_t parted) const;
   /// Whether a pair has an axis of symmetry in common under its turn.

@@ -278,25 +278,16 @@ class StepSearch {
       Entry& entry = entries_[e];
       StepCandidate own = candidates_[entry.candidate];
       if (own.contours.size() < 2) return true;
-      const std::vector<std::size_t> order = all_but_the_largest(own);
+      const double done = 0.5 + 0.25 * static_cast<double>(e) / static_cast<double>(entries_.size());
       Score score = judge_.judge(own.blend(entry.kind), {}, own.asymmetry);
-      keep_lonely_small(own, entry.kind, score);
-      for (const double s : kMeetings) {
-        for (const std::size_t c : order) {
-          if (score.faults == 0) break;
-          if (!go_on(0.5 + 0.25 * static_cast<double>(e) / static_cast<double>(entries_.size())))
-            return false;
-          const ContourDetour before = own.contours[c].detour;
-          own.contours[c].detour = {};
-          own.contours[c].detour.late = before.late;
-          own.contours[c].detour = clearance_.find(own.blend(entry.kind), c, s);
-          own.contours[c].detour.late = before.late;
-          const Score now = judge_.judge(own.blend(entry.kind), score, own.asymmetry);
-          if (now.better_than(score)) {
-            score = now;
-          } else {
-            own.contours[c].detour = before;
-          }
+      StepCandidate late = own;
+      if (!clear(own, entry.kind, score, done)) return false;
+      if (score.faults > 0 && keep_lonely_small(late)) {
+        Score now = judge_.judge(late.blend(entry.kind), {}, late.asymmetry);
+        if (!clear(late, entry.kind, now, done)) return false;
+        if (now.better_than(score)) {
+          score = now;
+          own = std::move(late);
         }
       }
       keep(own, entry.kind, score);
@@ -307,15 +298,35 @@ class StepSearch {
     return true;
   }
 
-  // What is born or dies keeps small for longer where that helps.
-  void keep_lonely_small(StepCandidate& candidate, BlendKind kind, Score& score) {
-    if (score.faults == 0) return;
-    StepCandidate late = candidate;
-    for (FoundContour& contour : late.contours) contour.detour.late = !contour.match;
-    const Score now = judge_.judge(late.blend(kind), score, late.asymmetry);
-    if (!now.better_than(score)) return;
-    score = now;
-    candidate = std::move(late);
+  bool clear(StepCandidate& own, BlendKind kind, Score& score, double done) {
+    const std::vector<std::size_t> order = all_but_the_largest(own);
+    for (const double s : kMeetings) {
+      for (const std::size_t c : order) {
+        if (score.faults == 0) return true;
+        if (!go_on(done)) return false;
+        const ContourDetour before = own.contours[c].detour;
+        own.contours[c].detour = {.late = before.late};
+        own.contours[c].detour = clearance_.find(own.blend(kind), c, s);
+        own.contours[c].detour.late = before.late;
+        const Score now = judge_.judge(own.blend(kind), score, own.asymmetry);
+        if (now.better_than(score)) {
+          score = now;
+        } else {
+          own.contours[c].detour = before;
+        }
+      }
+    }
+    return true;
+  }
+
+  // What is born or dies keeps small for longer. False when nothing does.
+  static bool keep_lonely_small(StepCandidate& candidate) {
+    bool any = false;
+    for (FoundContour& contour : candidate.contours) {
+      contour.detour.late = !contour.match;
+      any = any || contour.detour.late;
+    }
+    return any;
   }
 
   // The largest first.
