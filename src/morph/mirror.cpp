@@ -174,10 +174,11 @@ double asymmetry(const Correspondence& correspondence, const Reflection& a, cons
     const double step_a = a.share(points[i + 1].u) - a.share(points[i].u);
     const double step_b = b.share(points[i + 1].v) - b.share(points[i].v);
     const double weight = step_a - std::floor(step_a) + step_b - std::floor(step_b);
-    sum += weight * std::min(on_a, on_b);
+    const double least = std::min(on_a, on_b);
+    sum += weight * least * least;
     whole += weight;
   }
-  return whole > 0.0 ? sum / whole : 0.0;
+  return whole > 0.0 ? std::sqrt(sum / whole) : 0.0;
 }
 
 Correspondence mirrored(const Correspondence& correspondence, const Reflection& a, const Reflection& b) {

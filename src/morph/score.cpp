@@ -42,7 +42,7 @@ constexpr double kAreaWeight = 1.0;
 constexpr double kLengthWeight = 1.0;
 constexpr double kTangentWeight = 0.6;
 constexpr double kTurnWeight = 2.0;  // of half a turn
-// A correspondence that is off by 2 % of the length in the mean is seen as lopsided at once, and costs as
+// A correspondence that is off by 2 % of the length is seen as lopsided at once, and costs as
 // much as a turn of 11 degrees.
 constexpr double kAsymmetryWeight = 6.0;
 // 1 - <T1, T2> of a contour that grows from a point, or shrinks to one: as of one that turns by 90 degrees.

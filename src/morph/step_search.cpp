@@ -11,6 +11,7 @@
 #include "morph/score.h"
 #include "morph/settle_blend.h"
 #include "morph/step_variants.h"
+#include "morph/turn_price.h"
 #include "morph/wants_turns.h"
 #include "tandem/match/rotation.h"
 
@@ -25,15 +26,9 @@ constexpr double kLeastTurn = 0.5;
 constexpr std::size_t kDetours = 300;
 // Asymmetry, in shares of the length, that nobody sees.
 constexpr double kSymmetric = 0.004;
-// How many are sent on detours to avoid nothing but a turn, by more than so many degrees, and what a detour
-// is worth then, in blemishes: any, and by its width, a share of the length.
+// How many are sent on detours to avoid nothing but a turn, and the blemishes of what is worth it.
 constexpr std::size_t kUprightDetours = 300;
-constexpr double kMuchTurned = 25.0;
 constexpr double kDear = 0.4;
-constexpr double kDetourBlemish = 0.15;
-constexpr double kWidthBlemish = 3.0;
-// One in-between of nineteen that crosses or folds is less to be seen than a turn, too.
-constexpr double kFaultBlemish = 0.4;
 // How many of the best candidates are looked at with contours parted that have little in common, how many
 // contours are sent on detours then, and which width of a detour asks for it.
 constexpr std::size_t kParted = 6;
@@ -96,7 +91,7 @@ class StepSearch {
     return best_score_.blemish > kDear && turns_much(best_.candidate);
   }
   static bool turns_much(const StepCandidate& candidate) {
-    return std::fabs(candidate.frame.degrees()) > kMuchTurned;
+    return detail::turns_much(candidate.frame.degrees());
   }
 
   // A small detour of an upright morph is less to be seen than a turn.
@@ -111,9 +106,7 @@ class StepSearch {
     FoundStep known = std::exchange(best_, {});
     const Score score = std::exchange(best_score_, {});
     if (!make_detours(kUprightDetours)) return false;
-    const double detours = kDetourBlemish + kWidthBlemish * width_of(best_);
-    const auto price = [](const Score& of) { return of.blemish + kFaultBlemish * of.faults; };
-    if (best_score_.faults <= score.faults + 1 && price(best_score_) + detours < price(score)) return true;
+    if (is_better_upright(best_score_, width_of(best_), score)) return true;
     best_ = std::move(known);
     best_score_ = score;
     return true;
@@ -159,7 +152,7 @@ class StepSearch {
     }
     entries_ = std::move(tight);
     const auto price = [](const Score& of, const FoundStep& step) {
-      return of.blemish + kWidthBlemish * width_of(step);
+      return of.blemish + width_price(width_of(step));
     };
     const bool better = best_score_.faults != score.faults ? best_score_.faults < score.faults
                                                            : price(best_score_, best_) < price(score, known);
@@ -319,11 +312,11 @@ class StepSearch {
     return true;
   }
 
-  // What is born or dies keeps small for longer. False when nothing does.
+  // What is born or dies keeps small for longer, but for lines, which may cross. False when nothing does.
   static bool keep_lonely_small(StepCandidate& candidate) {
     bool any = false;
     for (FoundContour& contour : candidate.contours) {
-      contour.detour.late = !contour.match;
+      contour.detour.late = !contour.match && contour.ends.a.is_closed();
       any = any || contour.detour.late;
     }
     return any;
