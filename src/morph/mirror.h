@@ -51,8 +51,8 @@ class Reflection {
   double start_;
 };
 
-/// How far a correspondence of two closed outlines is from its own mirror image: the root mean square over the
-/// outlines, in shares of their length. One tip that is off is seen, however short.
+/// How far a correspondence of two closed outlines is from its own mirror image: the root mean square over
+/// the outlines, in shares of their length. One tip that is off is seen, however short.
 [[nodiscard]] double asymmetry(const Correspondence& correspondence, const Reflection& a,
                                const Reflection& b);
 
