@@ -129,7 +129,7 @@ expect 0 morph "${quick[@]}" "$square" "$triangle" -o t.svg --duration 500ms --p
 that "a duration in milliseconds" grep -q 'dur="0.5s"' t.svg
 expect 2 morph "$square" "$triangle" -o t.svg --duration 2m
 expect 0 morph --blend affine "$square" "$triangle" "$square" -o - --times 0,0.4,1 --at 0.4
-out_has '"s": 0.4, "d": "M[^"]*L4 4L0 4L[^"]*L2 0L'
+out_has '"s": 0.4, "d": "M[^"]*L4 4L[^"]*0 4L[^"]*L2 0L'
 expect 0 morph "${quick[@]}" "$square" 'M0 0H9V4H0Z' 'M0 0H9V9H0Z' -o smooth.svg --smooth --blend affine
 that "more frames than keys" bash -c '[[ $(grep -o "keyTimes=\"[^\"]*" smooth.svg | head -1 | tr -cd ";" | wc -c) -gt 8 ]]'
 rm t.svg u.svg smooth.svg
