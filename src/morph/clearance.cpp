@@ -20,8 +20,10 @@ constexpr double kWayCost = 0.35;
 // How much of the room a contour takes.
 constexpr double kRoom = 0.85;
 constexpr double kMostShrink = 0.95;
+// Squares this much smaller than another one are smaller whatever rounding made of them.
+constexpr double kUnseen = 1.0 - 1e-12;
 
-double distance_to(Vec2 p, Vec2 from, Vec2 to) {
+double square_distance(Vec2 p, Vec2 from, Vec2 to) {
   const double dx = to.x - from.x;
   const double dy = to.y - from.y;
   const double square = dx * dx + dy * dy;
@@ -29,7 +31,7 @@ double distance_to(Vec2 p, Vec2 from, Vec2 to) {
   t = std::clamp(t, 0.0, 1.0);
   const double x = p.x - from.x - t * dx;
   const double y = p.y - from.y - t * dy;
-  return std::sqrt(x * x + y * y);
+  return x * x + y * y;
 }
 
 }  // namespace
@@ -81,28 +83,31 @@ ContourDetour Clearance::find(const StepBlend& blend, std::size_t contour, doubl
     lo = {std::min(lo.x, edge.to.x), std::min(lo.y, edge.to.y)};
     hi = {std::max(hi.x, edge.to.x), std::max(hi.y, edge.to.y)};
   }
-  const auto room_at = [&](Vec2 p) {
+  // -1 where it may not be, or where the room is no more than `least`, which is seen before all is looked at.
+  const auto room_at = [&](Vec2 p, double least) {
     int winding = 0;
     double nearest = std::numeric_limits<double>::infinity();
+    const double enough = least > 0.0 ? kUnseen * least * least : 0.0;
     for (const Edge& edge : edges_) {
-      nearest = std::min(nearest, distance_to(p, edge.from, edge.to));
+      nearest = std::min(nearest, square_distance(p, edge.from, edge.to));
+      if (nearest < enough) return -1.0;
       if ((edge.from.y <= p.y) == (edge.to.y <= p.y)) continue;
       const double x =
           edge.from.x + (p.y - edge.from.y) / (edge.to.y - edge.from.y) * (edge.to.x - edge.from.x);
       if (x > p.x) winding += edge.to.y > edge.from.y ? 1 : -1;
     }
-    return winding == wanted ? nearest : -1.0;
+    return winding == wanted ? std::sqrt(nearest) : -1.0;
   };
   Vec2 best = center;
-  double best_value = std::min(room_at(center), 1.1 * radius);
-  double best_room = room_at(center);
+  double best_room = room_at(center, 0.0);
+  double best_value = std::min(best_room, 1.1 * radius);
   for (int i = 0; i <= kGrid; ++i) {
     for (int j = 0; j <= kGrid; ++j) {
       const Vec2 p{lo.x + (hi.x - lo.x) * i / kGrid, lo.y + (hi.y - lo.y) * j / kGrid};
       const double way = std::sqrt((p.x - center.x) * (p.x - center.x) + (p.y - center.y) * (p.y - center.y));
       const double most = 1.1 * radius - kWayCost * way;
       if (most <= best_value) continue;
-      const double room = room_at(p);
+      const double room = room_at(p, best_room > 0.0 ? best_value + kWayCost * way : 0.0);
       const double value = std::min(room, 1.1 * radius) - kWayCost * way;
       if (room > 0.0 && (best_room <= 0.0 || value > best_value)) {
         best = p;

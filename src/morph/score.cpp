@@ -14,7 +14,7 @@ namespace {
 
 // In-betweens looked at: twentieths of the way, those that fail most often first.
 constexpr std::array<int, 19> kOrder = {10, 6, 14, 3, 17, 8, 12, 4, 16, 2, 18, 7, 13, 5, 15, 9, 11, 1, 19};
-constexpr double kParts = 20.0;
+constexpr int kParts = 20;
 // Share of the filled region that may lie over itself unnoticed.
 constexpr double kFold = 0.004;
 // More crossings in one in-between make it no worse.
@@ -49,6 +49,10 @@ constexpr double kAsymmetryWeight = 6.0;
 constexpr double kLoneTangent = 1.0;
 // Shapes whose tangents differ by less once they are turned are nearly one body, whose turn costs less.
 constexpr double kUnlike = 0.1;
+
+double at(int part) {
+  return static_cast<double>(part) / kParts;
+}
 
 struct Sums {
   double area = 0.0;
@@ -130,7 +134,9 @@ double tangent_difference(std::span<const ContourEnds> ends) {
 
 }  // namespace
 
-Judge::Judge(double diagonal) : finder_({.scale = diagonal}) {}
+Judge::Judge(double diagonal) {
+  for (int part = 0; part <= kParts; ++part) finders_.emplace_back(IntersectionOptions{.scale = diagonal});
+}
 
 void Judge::sample(const StepBlend& blend, double s) {
   points_.resize(blend.contour_count());
@@ -143,14 +149,15 @@ void Judge::sample(const StepBlend& blend, double s) {
 }
 
 // 0 where nothing crosses or folds.
-double Judge::trouble_of_frame() {
-  double trouble = static_cast<double>(finder_.find(views_, kMostCrossings).size());
+double Judge::trouble_of_frame(int part) {
+  CrossingFinder& finder = finders_[static_cast<std::size_t>(part)];
+  double trouble = static_cast<double>(finder.find(views_, kMostCrossings).size());
   std::vector<PathView> closed;
   for (const PathView& view : views_) {
     if (view.closed) closed.push_back(view);
   }
   if (closed.size() > 1) {
-    const double fold = finder_.fold_fraction(closed);
+    const double fold = finder.fold_fraction(closed);
     if (fold > kFold) trouble += kFoldTrouble * fold;
   }
   return trouble;
@@ -183,10 +190,11 @@ struct Judge::Reference {
 };
 
 // Of the in-between that was sampled last.
-void Judge::add_trouble(double s, Score& score) {
+void Judge::add_trouble(int part, Score& score) {
+  const double s = at(part);
   // What crosses in both keys already is no fault of the in-betweens.
   const double own = (1.0 - s) * (*trouble_of_keys_)[0] + s * (*trouble_of_keys_)[1];
-  const double trouble = std::max(0.0, trouble_of_frame() - own);
+  const double trouble = std::max(0.0, trouble_of_frame(part) - own);
   if (trouble > 0.0) ++score.faults;
   score.trouble += trouble;
 }
@@ -221,39 +229,72 @@ void Judge::add_measures(const StepBlend& blend, const Reference& keys, double s
   if (keys.joints > 0.0) score.blemish += kBreakWeight * broken / std::sqrt(keys.joints) / kOrder.size();
 }
 
-Score Judge::judge(const StepBlend& blend, const Score& limit, double asymmetry) {
+void Judge::look_at_keys(const StepBlend& blend) {
+  if (trouble_of_keys_) return;
+  sample(blend, 0.0);
+  const double of_first = trouble_of_frame(0);
+  sample(blend, 1.0);
+  trouble_of_keys_ = {of_first, trouble_of_frame(kParts)};
+}
+
+// is_beaten(score): whether to look no further. measure_first: where only what is free of faults can win,
+// crossings, which take longest, are looked for last.
+template <class IsBeaten>
+Score Judge::look(const StepBlend& blend, double asymmetry, bool measure_first, const IsBeaten& is_beaten) {
   const Reference keys(blend);
   Score score{0, 0.0, kAsymmetryWeight * asymmetry};
   const double difference = tangent_difference(keys.ends);
   score.blemish += kTangentWeight * difference;
   // What is nothing but a turned copy turns for free.
   score.blemish += kTurnWeight * std::fabs(blend.degrees()) / 180.0 * std::min(1.0, difference / kUnlike);
-  if (!trouble_of_keys_) {
-    sample(blend, 0.0);
-    const double of_first = trouble_of_frame();
-    sample(blend, 1.0);
-    trouble_of_keys_ = {of_first, trouble_of_frame()};
-  }
-  const auto is_beaten = [&] {
-    return score.faults > limit.faults || (score.faults == 0 && !score.better_than(limit));
-  };
-  // Where only what is free of faults can win, crossings, which take longest, are looked for last.
-  const bool measure_first = limit.faults == 0;
+  look_at_keys(blend);
   if (measure_first) {
     for (const int part : kOrder) {
-      sample(blend, part / kParts);
-      add_measures(blend, keys, part / kParts, score);
-      if (is_beaten()) return score;
+      sample(blend, at(part));
+      add_measures(blend, keys, at(part), score);
+      if (is_beaten(score)) return score;
     }
   }
   for (const int part : kOrder) {
-    sample(blend, part / kParts);
-    add_trouble(part / kParts, score);
-    if (!measure_first) add_measures(blend, keys, part / kParts, score);
-    if (is_beaten()) return score;
+    sample(blend, at(part));
+    add_trouble(part, score);
+    if (!measure_first) add_measures(blend, keys, at(part), score);
+    if (is_beaten(score)) {
+      last_looked_ = part;
+      return score;
+    }
   }
   if (leaves_too_fast(blend)) score.faults += static_cast<int>(kOrder.size());
   return score;
+}
+
+Score Judge::judge(const StepBlend& blend, const Score& limit, double asymmetry) {
+  return look(blend, asymmetry, limit.faults == 0, [&](const Score& score) {
+    return score.faults > limit.faults || (score.faults == 0 && !score.better_than(limit));
+  });
+}
+
+std::optional<Score> Judge::beat(const StepBlend& blend, const Score& limit, double asymmetry) {
+  const Score score = look(blend, asymmetry, limit.faults == 0, [&](const Score& now) {
+    // Neither falls; blemishes count when all else is equal.
+    if (now.faults != limit.faults) return now.faults > limit.faults;
+    return now.faults > 0 ? now.trouble > limit.trouble : !now.better_than(limit);
+  });
+  return score.better_than(limit) ? std::optional(score) : std::nullopt;
+}
+
+std::optional<Score> Judge::find_faultless(const StepBlend& blend, double asymmetry) {
+  look_at_keys(blend);
+  if (last_fault_ > 0) {
+    Score score{0, 0.0, 0.0};
+    sample(blend, at(last_fault_));
+    add_trouble(last_fault_, score);
+    if (score.faults > 0) return std::nullopt;
+  }
+  const Score score = look(blend, asymmetry, false, [](const Score& now) { return now.faults > 0; });
+  if (score.faults == 0) return score;
+  last_fault_ = last_looked_;
+  return std::nullopt;
 }
 
 // Whether a point is so fast at an end that the end seems to jump, in diagonals of that key.

@@ -38,21 +38,33 @@ class Judge {
   /// diagonal: of the box of both keys.
   explicit Judge(double diagonal);
 
-  /// The score, as far as needed to know whether it beats `limit`. asymmetry: StepCandidate::asymmetry
+  /// The score, as far as needed to know whether it beats `limit`: what is beaten can still be told from
+  /// what is worse. asymmetry: StepCandidate::asymmetry
   [[nodiscard]] Score judge(const StepBlend& blend, const Score& limit, double asymmetry = 0.0);
+  /// The score if it beats `limit`: sooner decided.
+  [[nodiscard]] std::optional<Score> beat(const StepBlend& blend, const Score& limit, double asymmetry = 0.0);
+  /// The score if it is free of faults. Where a fault was found the last time is looked at first.
+  [[nodiscard]] std::optional<Score> find_faultless(const StepBlend& blend, double asymmetry = 0.0);
 
  private:
   /// What the in-betweens are measured by.
   struct Reference;
 
-  [[nodiscard]] double trouble_of_frame();
-  void add_trouble(double s, Score& score);
+  template <class IsBeaten>
+  [[nodiscard]] Score look(const StepBlend& blend, double asymmetry, bool measure_first,
+                           const IsBeaten& is_beaten);
+  void look_at_keys(const StepBlend& blend);
+  [[nodiscard]] double trouble_of_frame(int part);
+  void add_trouble(int part, Score& score);
   void add_measures(const StepBlend& blend, const Reference& keys, double s, Score& score) const;
   void sample(const StepBlend& blend, double s);
   [[nodiscard]] bool leaves_too_fast(const StepBlend& blend);
 
-  CrossingFinder finder_;
+  // One for each in-between, and for both keys: most contours are as they were the last time.
+  std::vector<CrossingFinder> finders_;
   std::optional<std::array<double, 2>> trouble_of_keys_;
+  int last_looked_ = 0;  ///< the twentieth of the way where look() ended
+  int last_fault_ = 0;   ///< the twentieth of the way where find_faultless() found one
   std::vector<std::vector<double>> points_;
   std::vector<PathView> views_;
 };

@@ -67,8 +67,11 @@ std::vector<ContourEnds> StepBlend::ends_in_frame() const {
 void StepBlend::set_detour(std::size_t contour, const ContourDetour& detour) {
   Contour& c = contours_[contour];
   c.detour = detour;
-  c.filter.reset();
-  if (detour.width > 0.0) c.filter.emplace(c.ends.a, c.ends.b);
+  if (!(detour.width > 0.0)) {
+    c.filter.reset();
+  } else if (!c.filter) {
+    c.filter.emplace(c.ends.a, c.ends.b);
+  }
 }
 
 void StepBlend::set_outlines(std::size_t contour, const ContourEnds& drawn) {

@@ -293,19 +293,21 @@ class StepSearch {
 
   bool clear(StepCandidate& own, BlendKind kind, Score& score, double done) {
     const std::vector<std::size_t> order = all_but_the_largest(own);
+    StepBlend blend = own.blend(kind);
     for (const double s : kMeetings) {
       for (const std::size_t c : order) {
         if (score.faults == 0) return true;
         if (!go_on(done)) return false;
-        const ContourDetour before = own.contours[c].detour;
-        own.contours[c].detour = {.late = before.late};
-        own.contours[c].detour = clearance_.find(own.blend(kind), c, s);
-        own.contours[c].detour.late = before.late;
-        const Score now = judge_.judge(own.blend(kind), score, own.asymmetry);
-        if (now.better_than(score)) {
-          score = now;
+        const bool late = own.contours[c].detour.late;
+        blend.set_detour(c, {.late = late});
+        ContourDetour detour = clearance_.find(blend, c, s);
+        detour.late = late;
+        blend.set_detour(c, detour);
+        if (const std::optional<Score> now = judge_.beat(blend, score, own.asymmetry)) {
+          score = *now;
+          own.contours[c].detour = detour;
         } else {
-          own.contours[c].detour = before;
+          blend.set_detour(c, own.contours[c].detour);
         }
       }
     }
@@ -342,13 +344,17 @@ class StepSearch {
     double least = kWidest;
     for (std::size_t e = 0; e < entries_.size(); ++e) {
       StepCandidate fine = subdivided(candidates_[entries_[e].candidate], kLongestSegment);
+      StepBlend blend = fine.blend(entries_[e].kind);
       for (double width = kNarrowest; width < least; width *= kWiden) {
         if (!go_on(0.75 + 0.25 * static_cast<double>(e) / static_cast<double>(entries_.size()))) return false;
-        for (FoundContour& contour : fine.contours) contour.detour.width = width;
-        const Score score = judge_.judge(fine.blend(entries_[e].kind), {1, 0.0, 0.0}, fine.asymmetry);
-        if (score.faults > 0) continue;
+        for (std::size_t c = 0; c < fine.contours.size(); ++c) {
+          fine.contours[c].detour.width = width;
+          blend.set_detour(c, fine.contours[c].detour);
+        }
+        const std::optional<Score> score = judge_.find_faultless(blend, fine.asymmetry);
+        if (!score) continue;
         least = width;
-        best_score_ = score;
+        best_score_ = *score;
         best_ = {entries_[e].kind, fine};
       }
     }

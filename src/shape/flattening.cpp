@@ -45,17 +45,23 @@ bool turns_little(Vec2 a, Vec2 b, Vec2 c) {
   return c1 * d2 + c2 * d1 <= kTurning * d1 * d2;
 }
 
+bool is_short(Vec2 a, Vec2 b, Vec2 c) {
+  // Mostly seen without a root.
+  if (std::abs(a.x) + std::abs(b.x) + std::abs(c.x) > 2.0 * kShortest) return false;
+  return length(a) + length(b) + length(c) <= kShortest;
+}
+
+// The cheapest look first: all roots together would take longest.
 bool is_flat(const Cubic& c, double tolerance) {
   const Vec2 a = minus(c.p1, c.p0);
   const Vec2 b = minus(c.p2, c.p1);
   const Vec2 d = minus(c.p3, c.p2);
-  const double polygon = length(a) + length(b) + length(d);
-  if (polygon <= kShortest) return true;
+  if (is_short(a, b, d)) return true;
+  if (!turns_little(a, b, d)) return false;
   const Vec2 chord = minus(c.p3, c.p0);
   const double along = length(chord);
   const double off = std::max(std::abs(cross(a, chord)), std::abs(cross(d, chord)));
-  if (along > 1e-12 ? off > tolerance * along : std::max(length(a), length(d)) > tolerance) return false;
-  return turns_little(a, b, d);
+  return !(along > 1e-12 ? off > tolerance * along : std::max(length(a), length(d)) > tolerance);
 }
 
 class Halving {
@@ -90,10 +96,10 @@ class Halving {
 
 }  // namespace
 
-void Flattening::frame(std::span<const PathView> paths, double scale) {
-  half_center_ = {};
-  half_scale_ = 1.0;
-  if (paths.empty()) return;
+Flattening::Frame Flattening::find_frame(std::span<const PathView> paths, double tolerance, double scale) {
+  Frame frame;
+  frame.tolerance = tolerance;
+  if (paths.empty()) return frame;
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   Vec2 lo{kInfinity, kInfinity};
   Vec2 hi{-kInfinity, -kInfinity};
@@ -103,17 +109,22 @@ void Flattening::frame(std::span<const PathView> paths, double scale) {
       hi = {std::max(hi.x, path.points[i]), std::max(hi.y, path.points[i + 1])};
     }
   }
-  half_center_ = {0.25 * lo.x + 0.25 * hi.x, 0.25 * lo.y + 0.25 * hi.y};
+  frame.half_center = {0.25 * lo.x + 0.25 * hi.x, 0.25 * lo.y + 0.25 * hi.y};
   const double width = 0.5 * hi.x - 0.5 * lo.x;
   const double height = 0.5 * hi.y - 0.5 * lo.y;
   const double largest = std::max(width, height);
   const double w = largest > 0.0 ? width / largest : 0.0;
   const double h = largest > 0.0 ? height / largest : 0.0;
   const double half_diagonal = scale > 0.0 ? 0.5 * scale : largest * std::sqrt(w * w + h * h);
-  if (half_diagonal > 0.0) half_scale_ = half_diagonal;
+  if (half_diagonal > 0.0) frame.half_scale = half_diagonal;
+  if (!(scale > 0.0)) return frame;
+  const auto to_unit = [&](double x) { return frame.half_scale * std::round(x / frame.half_scale); };
+  const Vec2 whole{to_unit(frame.half_center.x), to_unit(frame.half_center.y)};
+  if (std::isfinite(whole.x) && std::isfinite(whole.y)) frame.half_center = whole;
+  return frame;
 }
 
-void Flattening::flatten(const PathView& path, double tolerance) {
+void Flattening::flatten(const PathView& path) {
   FlatPath flat;
   flat.first = vertices_.size();
   flat.closed = path.closed;
@@ -121,7 +132,7 @@ void Flattening::flatten(const PathView& path, double tolerance) {
   Vec2 start = point(0);
   const Vec2 origin = start;
   vertices_.push_back({start.x, start.y, 0.0});
-  Halving halving(vertices_, tolerance);
+  Halving halving(vertices_, frame_.tolerance);
   const std::size_t count = path.segment_count();
   for (std::size_t i = 0; i < count; ++i) {
     const Cubic cubic{start, point(3 * i + 1), point(3 * i + 2), point(3 * i + 3)};
@@ -158,10 +169,32 @@ Vec2 Flattening::point(const PathView& path, double u) const noexcept {
 }
 
 void Flattening::assign(std::span<const PathView> paths, double tolerance, double scale) {
+  const Frame frame = find_frame(paths, tolerance, scale);
+  const std::size_t known = frame == frame_ ? std::min(paths.size(), paths_.size()) : 0;
+  frame_ = frame;
+  std::swap(vertices_, vertices_before_);
+  std::swap(paths_, paths_before_);
   vertices_.clear();
   paths_.clear();
-  frame(paths, scale);
-  for (const PathView& path : paths) flatten(path, tolerance);
+  changed_.assign(paths.size(), true);
+  points_.resize(paths.size());
+  for (std::size_t p = 0; p < paths.size(); ++p) {
+    const auto& [points, closed] = paths[p];
+    if (p < known && closed == paths_before_[p].closed && std::ranges::equal(points, points_[p])) {
+      FlatPath same = paths_before_[p];
+      const auto begin = vertices_before_.begin();
+      const std::size_t first = vertices_.size();
+      vertices_.insert(vertices_.end(), begin + static_cast<std::ptrdiff_t>(same.first),
+                       begin + static_cast<std::ptrdiff_t>(same.last) + 1);
+      same.last = vertices_.size() - 1;
+      same.first = first;
+      paths_.push_back(same);
+      changed_[p] = false;
+    } else {
+      flatten(paths[p]);
+      points_[p].assign(points.begin(), points.end());
+    }
+  }
 }
 
 }  // namespace v0

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "shape/flattening.h"
@@ -13,8 +14,15 @@ struct ScanCrossing {
   int direction = 0;
 };
 
+/// Scanlines, one after the other.
+struct ScanRows {
+  std::vector<ScanCrossing> crossings;
+  std::vector<std::size_t> ends;          ///< of the rows
+  std::vector<std::size_t> above_vertex;  ///< the first row at each vertex or above
+};
+
 /// CrossingFinder::fold_fraction of what is flattened. `rows` is memory to work in.
-[[nodiscard]] double measure_folds(const Flattening& flat, std::vector<std::vector<ScanCrossing>>& rows);
+[[nodiscard]] double measure_folds(const Flattening& flat, ScanRows& rows);
 
 }  // namespace v0
 }  // namespace tandem

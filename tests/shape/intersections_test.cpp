@@ -8,6 +8,8 @@
 #include <cmath>
 #include <cstddef>
 #include <limits>
+#include <random>
+#include <span>
 #include <tuple>
 #include <vector>
 
@@ -316,6 +318,44 @@ TEST(Crossings, EndAtTheLimit) {
   EXPECT_FALSE(finder.is_simple(views));
   EXPECT_EQ(finder.find(views).size(), 5u);
   EXPECT_TRUE(finder.is_simple({}));
+}
+
+// What a finder remembers of the paths that stay as they were is what a new one finds.
+TEST(Crossings, RememberedOnesAreThoseFoundAnew) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> place(0.0, 8.0);
+  const auto triangle = [&](double size) {
+    const Vec2 p{place(random), place(random)};
+    return polygon({p, {p.x + size, p.y + 0.2 * size}, {p.x + 0.3 * size, p.y + size}});
+  };
+  const auto sorted = [](std::span<const Crossing> found) {
+    std::vector<Crossing> all(found.begin(), found.end());
+    std::sort(all.begin(), all.end(), [](const Crossing& a, const Crossing& b) {
+      return std::tie(a.path_a, a.path_b, a.u, a.v) < std::tie(b.path_a, b.path_b, b.u, b.v);
+    });
+    return all;
+  };
+  const IntersectionOptions options{.scale = 12.0};
+  CrossingFinder remembers(options);
+  std::vector<CubicPath> paths;
+  for (int k = 0; k < 5; ++k) paths.push_back(triangle(4.0));
+  std::size_t most = 0;
+  for (int round = 0; round < 200; ++round) {
+    paths[static_cast<std::size_t>(round) % paths.size()] = triangle(round % 3 == 0 ? 1.0 : 4.0);
+    if (round % 50 == 30) paths.push_back(triangle(4.0));
+    if (round % 50 == 45) paths.pop_back();
+    const std::vector<PathView> views = view_paths(paths);
+    const std::span<const PathView> some = std::span(views).subspan(1);
+    if (round % 4 == 1)
+      EXPECT_EQ(remembers.fold_fraction(views), CrossingFinder(options).fold_fraction(views));
+    if (round % 4 == 2) EXPECT_EQ(remembers.fold_fraction(some), CrossingFinder(options).fold_fraction(some));
+    CrossingFinder anew(options);
+    const std::vector<Crossing> all = sorted(anew.find(views));
+    most = std::max(most, all.size());
+    if (round % 5 == 4) EXPECT_EQ(remembers.find(views, 2).size(), std::min<std::size_t>(2, all.size()));
+    EXPECT_EQ(sorted(remembers.find(views)), all) << round;
+  }
+  EXPECT_GT(most, 10u);
 }
 
 TEST(Crossings, OpenPathsAreNotClosedByALine) {

@@ -40,7 +40,8 @@ struct Crossing {
   friend bool operator==(const Crossing&, const Crossing&) = default;
 };
 
-/// Finds where planar paths cross, without an allocation once it has seen as many paths before.
+/// Finds where planar paths cross, without an allocation once it has seen as many paths before. Paths that
+/// are the same as in the last call, where all are measured by the same scale, are not looked at again.
 ///
 /// The curves are halved until they are as good as their chords, the chords are gathered into runs that are
 /// monotone in both coordinates, and the boxes of the runs are swept from left to right. Crossings right
