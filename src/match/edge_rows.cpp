@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
-#include <span>
+#include <utility>
 
 #include "tandem/error.h"
 
@@ -19,24 +19,8 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Rows of chords that pass before the window is moved back to the start of its memory.
 constexpr std::size_t kSlide = 32;
 
-/// Stands for the length of a chord that has none (of a whole of 1): shares of it are slivers, unless all
-/// chords of an edge are like it, which then share it equally.
-constexpr double kNoLength = 1e-100;
-
 /// Costs above this count as infinite, so that no sum overflows.
 constexpr double kMostCost = 1e300;
-
-double length_of(const Samples& s, std::size_t chord) {
-  return std::max(s.chord_lengths[chord], kNoLength);
-}
-
-/// No step may go round a loop more than once; none is longer than both curves.
-int longest_step(const Samples& a, const Samples& b, const ElasticOptions& options) {
-  std::size_t longest = std::max(a.chords(), b.chords());
-  if (a.cyclic) longest = std::min(longest, a.chords());
-  if (b.cyclic) longest = std::min(longest, b.chords());
-  return std::min(options.longest_step, static_cast<int>(longest));
-}
 
 int longest_of(const std::vector<Step>& steps) {
   int longest = 1;
@@ -60,43 +44,40 @@ std::vector<std::size_t> tie_order(const std::vector<Step>& steps) {
 }
 
 EdgeRows::EdgeRows(const Samples& a, const Samples& b, const NodeTable& chords, const ElasticOptions& options,
-                   Aggregate aggregate)
+                   Aggregate aggregate, std::shared_ptr<const EdgePlan> plan)
     : rows_(static_cast<int>(a.size())),
       cols_(static_cast<int>(b.size())),
       rows_cyclic_(a.cyclic),
       cols_cyclic_(b.cyclic),
-      longest_(longest_step(a, b, options)),
       threshold_(kInfinity),
       chords_(&chords),
       aggregate_(aggregate),
-      lambda_(options.lambda) {
+      lambda_(options.lambda),
+      plan_(std::move(plan)) {
   if (chords.rows != a.chords() || chords.cols != b.chords()) {
     throw InvalidArgument("the chord costs do not belong to these samples");
   }
   if (options.longest_step < 1 || !(options.lambda >= 0.0)) {
     throw InvalidArgument("the longest step must be at least 1 and lambda at least 0");
   }
-  steps_ = coprime_steps(longest_);
-  first_col_ = cols_cyclic_ ? longest_ : 1;
-  width_ = cols_cyclic_ ? cols_ : cols_ - 1;
-  stride_ = whole_blocks(width_);
+  if (plan_ == nullptr) plan_ = std::make_shared<const EdgePlan>(a, b, options.longest_step);
+  steps_ = plan_->steps();
+  longest_ = plan_->longest();
+  first_col_ = plan_->first_col();
+  width_ = plan_->width();
+  stride_ = plan_->stride();
+  chord_stride_ = plan_->chord_stride();
   row_size_ = steps_.size() * static_cast<std::size_t>(stride_);
-
-  const int count = static_cast<int>(a.chords());
-  for (int k = -longest_; k < count; ++k) {
-    const int chord = k >= 0 ? k : (rows_cyclic_ ? k + count : 0);
-    lengths_a_.push_back(length_of(a, static_cast<std::size_t>(chord)));
-  }
-  measure_columns(b);
   for (const double cost : chords.cost) most_ = std::max(most_, cost);
 
   window_rows_ = static_cast<std::size_t>(longest_) + kSlide;
   chord_cost_.assign(window_rows_ * static_cast<std::size_t>(chord_stride_), kInfinity);
   flagged_.assign(window_rows_, 0);
-  weighed_.assign(static_cast<std::size_t>(longest_) + 1, -1.0);
-  factor_.assign(row_size_, 1.0);
-  strain_.assign(row_size_, 0.0);
-  ends_a_.resize(static_cast<std::size_t>(longest_) + 1);
+  weights_.resize(static_cast<std::size_t>(longest_) + 1);
+  if (!plan_->keeps_weights()) {
+    own_weights_.resize(weights_.size());
+    weighed_.assign(weights_.size(), -1.0);
+  }
 }
 
 EdgeRows::EdgeRows(const EdgeTable& table)
@@ -179,61 +160,6 @@ void EdgeRows::copy_row(int i, double* cost, double* invalid) {
   }
 }
 
-void EdgeRows::measure_columns(const Samples& b) {
-  const int pad = whole_blocks(longest_);
-  const int count = static_cast<int>(b.chords());
-  chord_stride_ = pad + stride_;
-  chord_b_.assign(static_cast<std::size_t>(chord_stride_), 1.0);
-  for (int y = 0; y < chord_stride_; ++y) {
-    const int chord = y - pad + first_col_;
-    if (chord < 0 || chord >= width_ + first_col_ - 1) continue;
-    chord_b_[static_cast<std::size_t>(y)] = length_of(b, static_cast<std::size_t>(chord % count));
-  }
-  const auto length = [&](int x, int back) { return chord_b_[static_cast<std::size_t>(pad + x - back)]; };
-  runs_b_.resize(static_cast<std::size_t>(longest_) + 1);
-  for (int n = 1; n <= longest_; ++n) {
-    Runs& runs = runs_b_[static_cast<std::size_t>(n)];
-    runs.length.assign(static_cast<std::size_t>(stride_), 1.0);
-    for (int block = 0; block < stride_; block += kBlock) {
-      bool mixed = false;
-      for (int x = block; x < std::min(block + kBlock, width_); ++x) {
-        double sum = 0.0;
-        for (int back = n; back > 0; --back) sum += length(x, back);
-        runs.length[static_cast<std::size_t>(x)] = sum;
-        // Edges that would start outside an open curve do not matter.
-        if (!cols_cyclic_ && x + first_col_ < n) continue;
-        for (int back = n; back > 1; --back) mixed = mixed || length(x, back) != length(x, back - 1);
-      }
-      if (!mixed) continue;
-      if (!runs.mixed.empty() && runs.mixed.back().hi == block) {
-        runs.mixed.back().hi += kBlock;
-      } else {
-        runs.mixed.push_back({block, block + kBlock});
-      }
-    }
-    if (runs.mixed.empty()) continue;
-    runs.ends.assign(static_cast<std::size_t>(n) + 1,
-                     std::vector<double>(static_cast<std::size_t>(stride_), 0.0));
-    for (int x = 0; x < stride_; ++x) {
-      double sum = 0.0;
-      for (int q = 1; q <= n; ++q) {
-        sum += length(x, n - q + 1);
-        runs.ends[static_cast<std::size_t>(q)][static_cast<std::size_t>(x)] =
-            q == n ? 1.0 : sum / runs.length[static_cast<std::size_t>(x)];
-      }
-    }
-    for (const std::vector<double>& ends : runs.ends) runs.end_arrays.push_back(ends.data());
-    for (int block = 0; block < stride_; block += kBlock) {
-      for (const std::vector<double>& ends : runs.ends) {
-        const auto [least, largest] =
-            std::minmax_element(ends.begin() + block, ends.begin() + block + kBlock);
-        runs.spread.push_back(*least);
-        runs.spread.push_back(*largest);
-      }
-    }
-  }
-}
-
 /// The chords of one row that edges ending in these columns need.
 void EdgeRows::load_chord_row(int row, std::size_t slot, Columns columns) {
   const int pad = whole_blocks(longest_);
@@ -310,7 +236,7 @@ void EdgeRows::load_chords(int i, Columns columns) {
 void EdgeRows::weigh_last_chords(Columns columns) {
   const auto stride = static_cast<std::size_t>(chord_stride_);
   const std::size_t size = static_cast<std::size_t>(whole_blocks(longest_) + columns.hi - columns.lo);
-  const double* length = chord_b_.data() + columns.lo;
+  const double* length = plan_->chord_lengths().data() + columns.lo;
   const std::size_t to = window_slot_ * stride + static_cast<std::size_t>(columns.lo);
   const std::size_t from = to - stride;
   if (aggregate_ == Aggregate::maximum) {
@@ -322,89 +248,28 @@ void EdgeRows::weigh_last_chords(Columns columns) {
   for (std::size_t k = 0; k < size; ++k) chord_flag_[to + k] = length[k] * chord_flag_[from + k];
 }
 
-/// Factors that make integrals costs, and strains, of all steps (a,b) over this length of the first curve.
-/// The integrals of (1,b) and (a,1) are not divided by the run's length yet.
-void EdgeRows::plan_weights(int a, double length_a) {
-  if (weighed_[static_cast<std::size_t>(a)] == length_a) return;
-  weighed_[static_cast<std::size_t>(a)] = length_a;
-  for (std::size_t s = 0; s < steps_.size(); ++s) {
-    if (steps_[s].a != a) continue;
-    const int b = steps_[s].b;
-    const double* length_b = runs_b_[static_cast<std::size_t>(b)].length.data();
-    double* factor = factor_.data() + s * static_cast<std::size_t>(stride_);
-    double* strain = strain_.data() + s * static_cast<std::size_t>(stride_);
-    for (std::size_t x = 0; x < static_cast<std::size_t>(stride_); ++x) {
-      const double length = length_a + length_b[x];
-      const double difference = length_a - length_b[x];
-      const double run = a == 1 ? length_b[x] : (b == 1 ? length_a : 1.0);
-      factor[x] = 0.5 * length / run;
-      strain[x] = lambda_ * (difference * difference / length);
-    }
-  }
-}
-
-/// Which chords the edges that end in row i add up, with what weights.
 void EdgeRows::plan_row(int i) {
-  const auto longest = static_cast<std::size_t>(longest_);
-  const std::span<const double> lengths(lengths_a_.data() + i, longest);
-  if (!planned_.empty() && std::equal(lengths.begin(), lengths.end(), planned_.begin())) return;
-  planned_.assign(lengths.begin(), lengths.end());
-  terms_.clear();
-  sums_.clear();
-  const auto length = [&](int back) { return planned_[longest - static_cast<std::size_t>(back)]; };
+  const EdgePlan::RowPlan* plan = &plan_->row(i);
+  if (plan == row_plan_) return;
+  row_plan_ = plan;
   for (int a = 1; a <= longest_; ++a) {
-    double total = 0.0;
-    for (int back = a; back > 0; --back) total += length(back);
-    plan_weights(a, total);
-    std::vector<double>& ends = ends_a_[static_cast<std::size_t>(a)];
-    ends.assign(1, 0.0);
-    bool mixed = false;
-    double sum = 0.0;
-    for (int back = a; back > 0; --back) {
-      mixed = mixed || length(back) != length(a);
-      sum += length(back);
-      ends.push_back(sum / total);
+    const auto k = static_cast<std::size_t>(a);
+    if (plan_->keeps_weights()) {
+      weights_[k] = &plan_->kept_weights(*plan, a);
+      continue;
     }
-    if (!mixed) {
-      for (int p = 0; p <= a; ++p) ends[static_cast<std::size_t>(p)] = static_cast<double>(p) / a;
-    }
-    ends.back() = 1.0;
+    weights_[k] = &own_weights_[k];
+    if (weighed_[k] == plan->lengths[k]) continue;
+    weighed_[k] = plan->lengths[k];
+    plan_->weigh(a, weighed_[k], own_weights_[k]);
   }
-  const std::ptrdiff_t stride = chord_stride_;
-  const auto add_sum = [&](std::size_t s, bool continues, std::size_t first) {
-    const std::size_t at = s * static_cast<std::size_t>(stride_);
-    sums_.push_back({continues, first, terms_.size(), factor_.data() + at, strain_.data() + at, nullptr});
-  };
-  // The steps come by a, then b: (1,1) .. (1,n) are running sums along the row.
-  for (int b = 1; b <= longest_; ++b) {
-    terms_.push_back({-b, 1.0});
-    add_sum(static_cast<std::size_t>(b) - 1, b > 1, terms_.size() - 1);
-  }
-  // (2,1) .. (n,1) are running sums across the rows.
-  std::size_t first = terms_.size();
-  terms_.push_back({-stride - 1, length(1)});
-  for (std::size_t s = static_cast<std::size_t>(longest_); s < steps_.size(); ++s) {
-    const auto [a, b] = steps_[s];
-    if (b != 1) continue;
-    terms_.push_back({-a * stride - 1, length(a)});
-    add_sum(s, a > 2, first);
-    first = terms_.size();
-  }
-  // The others have a term for every cell of the edge on which neither curve changes its chord; here for
-  // equal chords of the second curve.
-  for (std::size_t s = static_cast<std::size_t>(longest_); s < steps_.size(); ++s) {
-    const auto [a, b] = steps_[s];
-    if (b == 1) continue;
-    first = terms_.size();
-    const std::vector<double>& ends = ends_a_[static_cast<std::size_t>(a)];
-    for (int p = 0; p < a; ++p) {
-      for (int q = 0; q < b; ++q) {
-        const double from = std::max(ends[static_cast<std::size_t>(p)], static_cast<double>(q) / b);
-        const double to = std::min(ends[static_cast<std::size_t>(p) + 1], static_cast<double>(q + 1) / b);
-        if (to - from > kSliver) terms_.push_back({-(a - p) * stride - (b - q), to - from});
-      }
-    }
-    add_sum(s, false, first);
+  sums_.clear();
+  for (const EdgePlan::StepTerms& terms : plan->sums) {
+    const int a = steps_[terms.step].a;
+    const EdgePlan::Weights& weights = *weights_[static_cast<std::size_t>(a)];
+    const std::size_t at = (terms.step - plan_->first_step(a)) * static_cast<std::size_t>(stride_);
+    sums_.push_back({terms.continues, terms.first, terms.last, weights.factor.data() + at,
+                     weights.strain.data() + at, nullptr});
   }
 }
 
@@ -426,28 +291,43 @@ void EdgeRows::compute_row(int i, Columns columns, double* cost, double* invalid
 void EdgeRows::integrate(Columns columns, const std::vector<double>& chords, EdgeValue value, double* out) {
   const double* base = chords.data() + window_slot_ * static_cast<std::size_t>(chord_stride_) +
                        static_cast<std::size_t>(whole_blocks(longest_));
-  const EdgeOptions options{value, 1.0 / kInvalidQuantum};
-  for (EdgeSum& sum : sums_) sum.out = out + (sum.factor - factor_.data());
+  const EdgeOptions options{value, 1.0 / kInvalidQuantum, lambda_};
+  for (std::size_t k = 0; k < sums_.size(); ++k) {
+    sums_[k].out = out + row_plan_->sums[k].step * static_cast<std::size_t>(stride_);
+  }
   const auto lo = static_cast<std::size_t>(columns.lo);
   const auto hi = static_cast<std::size_t>(columns.hi);
-  integrate_edges(base, terms_.data(), sums_.data(), sums_.size(), lo, hi, options);
-  for (std::size_t s = 0; s < steps_.size(); ++s) {
-    const auto [a, b] = steps_[s];
-    const Runs& runs = runs_b_[static_cast<std::size_t>(b)];
-    if (a == 1 || b == 1 || runs.mixed.empty()) continue;
-    const std::size_t at = s * static_cast<std::size_t>(stride_);
+  const EdgeTerm* terms = row_plan_->terms.data();
+  const std::size_t straight = plan_->straight_steps();
+  integrate_edges(base, terms, sums_.data(), straight, lo, hi, options);
+  const auto common = [&](const Columns& part) {
+    return std::pair(std::max(lo, static_cast<std::size_t>(part.lo)),
+                     std::min(hi, static_cast<std::size_t>(part.hi)));
+  };
+  const auto step_of = [&](std::size_t k) { return steps_[row_plan_->sums[k].step]; };
+  for (std::size_t k = straight, next = k; k < sums_.size(); k = next) {
+    const int b = step_of(k).b;
+    while (next < sums_.size() && step_of(next).b == b) ++next;
+    for (const Columns& part : plan_->runs(b).plain) {
+      const auto [from, to] = common(part);
+      if (from < to) integrate_edges(base, terms, sums_.data() + k, next - k, from, to, options);
+    }
+  }
+  for (std::size_t k = straight; k < sums_.size(); ++k) {
+    const auto [a, b] = step_of(k);
+    const EdgePlan::Runs& runs = plan_->runs(b);
+    if (runs.mixed.empty()) continue;
     const EdgeOverlaps edges{a,
                              b,
                              chord_stride_,
-                             ends_a_[static_cast<std::size_t>(a)].data(),
+                             row_plan_->ends[static_cast<std::size_t>(a)].data(),
                              runs.end_arrays.data(),
                              runs.spread.data(),
-                             factor_.data() + at,
-                             strain_.data() + at,
-                             out + at};
-    for (const Columns& mixed : runs.mixed) {
-      const auto from = std::max(lo, static_cast<std::size_t>(mixed.lo));
-      const auto to = std::min(hi, static_cast<std::size_t>(mixed.hi));
+                             sums_[k].factor,
+                             sums_[k].strain,
+                             sums_[k].out};
+    for (const Columns& part : runs.mixed) {
+      const auto [from, to] = common(part);
       if (from < to) integrate_overlaps(base, edges, from, to, options);
     }
   }

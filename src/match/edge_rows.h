@@ -2,8 +2,10 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
+#include "match/edge_plan.h"
 #include "match/elastic_kernels.h"
 #include "match/raw_buffer.h"
 #include "tandem/match/cost_table.h"
@@ -21,16 +23,6 @@ enum class Counting {
   counted,  ///< their invalid length counts before the cost
 };
 
-/// A whole number of blocks of columns.
-struct Columns {
-  int lo = 0;
-  int hi = 0;
-};
-
-[[nodiscard]] constexpr int whole_blocks(int n) noexcept {
-  return (n + kBlock - 1) / kBlock * kBlock;
-}
-
 /// Steps in the order of their preference on ties: nearest the diagonal first, then the smaller a.
 [[nodiscard]] std::vector<std::size_t> tie_order(const std::vector<Step>& steps);
 
@@ -42,9 +34,10 @@ struct Columns {
 /// from an EdgeTable. Not for several threads at once.
 class EdgeRows {
  public:
-  /// The chord costs must outlive the rows. @throws InvalidArgument see edge_costs()
+  /// The chord costs must outlive the rows. plan: of these curves; nothing: to be made.
+  /// @throws InvalidArgument see edge_costs()
   EdgeRows(const Samples& a, const Samples& b, const NodeTable& chords, const ElasticOptions& options,
-           Aggregate aggregate);
+           Aggregate aggregate, std::shared_ptr<const EdgePlan> plan = nullptr);
   explicit EdgeRows(const EdgeTable& table);
 
   [[nodiscard]] int rows() const { return rows_; }
@@ -74,20 +67,7 @@ class EdgeRows {
   [[nodiscard]] Row row(int i, Columns columns);
 
  private:
-  /// Arrays by column that one curve's chords give for runs of n of them.
-  struct Runs {
-    std::vector<double> length;             ///< of the n chords before each node
-    std::vector<std::vector<double>> ends;  ///< n + 1 arrays: shares of it at which the chords meet
-    std::vector<const double*> end_arrays;  ///< the same
-    std::vector<double> spread;             ///< by block: least and largest share, for every array
-    std::vector<Columns> mixed;             ///< blocks with chords of different length
-  };
-
-  void measure_columns(const Samples& b);
-  void mark_mixed(Runs& runs, int n);
-  void add_plain_terms(int a, bool restart);
   void plan_row(int i);
-  void plan_weights(int a, double length);
   void load_chords(int i, Columns columns);
   void load_chord_row(int row, std::size_t slot, Columns columns);
   void weigh_last_chords(Columns columns);
@@ -120,9 +100,7 @@ class EdgeRows {
   const NodeTable* chords_ = nullptr;
   Aggregate aggregate_ = Aggregate::sum;
   double lambda_ = 0.0;
-  std::vector<double> lengths_a_;  ///< chords of the first curve, from `longest` before node 0 on
-  std::vector<Runs> runs_b_;       ///< by number of chords
-  std::vector<double> chord_b_;    ///< length of the chord before each column
+  std::shared_ptr<const EdgePlan> plan_;
 
   // A window of chord rows slides along with the row that is asked for.
   int chord_stride_ = 0;
@@ -133,14 +111,13 @@ class EdgeRows {
   std::vector<double> chord_flag_;
   std::vector<std::uint8_t> flagged_;  ///< slots with any invalid chord
 
-  // What depends on the lengths of the chords before the row.
-  std::vector<double> planned_;  ///< those lengths
-  std::vector<EdgeTerm> terms_;
+  // Of the row that is computed.
+  const EdgePlan::RowPlan* row_plan_ = nullptr;
+  std::vector<const EdgePlan::Weights*> weights_;  ///< by a
   std::vector<EdgeSum> sums_;
-  std::vector<double> weighed_;  ///< by a: the length that factor_ and strain_ belong to
-  std::vector<double> factor_;
-  std::vector<double> strain_;
-  std::vector<std::vector<double>> ends_a_;  ///< by a
+  // Where the plan does not keep them.
+  std::vector<EdgePlan::Weights> own_weights_;  ///< by a
+  std::vector<double> weighed_;                 ///< the lengths that they belong to
 };
 
 }  // namespace detail

@@ -38,16 +38,17 @@ HWY_INLINE Lanes add_term(Lanes sum, Lanes chord, Lanes weight) {
 }
 
 template <EdgeValue kValue>
-HWY_INLINE void finish(Lanes sum, const double* factor, const double* strain, double units, double* out) {
+HWY_INLINE void finish(Lanes sum, const double* factor, const double* strain, const EdgeOptions& options,
+                       double* out) {
   const Tag d;
   if (kValue == EdgeValue::largest) {
     hn::StoreU(sum, d, out);
   } else if (kValue == EdgeValue::integral) {
-    hn::StoreU(hn::Add(hn::Mul(sum, load(factor)), load(strain)), d, out);
+    hn::StoreU(hn::Add(hn::Mul(sum, load(factor)), hn::Mul(all(options.lambda), load(strain))), d, out);
   } else {
     // Rounded to a whole number, for what lies below 2^51.
     const Lanes shift = all(6755399441055744.0);  // 1.5 * 2^52
-    const Lanes scaled = hn::Mul(hn::Mul(sum, load(factor)), all(units));
+    const Lanes scaled = hn::Mul(hn::Mul(sum, load(factor)), all(options.units));
     const Lanes whole = hn::Sub(hn::Add(scaled, shift), shift);
     const Lanes zero = hn::Zero(d);
     hn::StoreU(hn::IfThenElse(hn::Gt(sum, zero), hn::Max(whole, all(1.0)), zero), d, out);
@@ -56,7 +57,7 @@ HWY_INLINE void finish(Lanes sum, const double* factor, const double* strain, do
 
 template <EdgeValue kValue>
 void integrate_one(const double* HWY_RESTRICT chords, const EdgeTerm* HWY_RESTRICT terms, const EdgeSum* sums,
-                   std::size_t count, std::size_t j, double units) {
+                   std::size_t count, std::size_t j, const EdgeOptions& options) {
   Lanes sum = all(0.0);
   for (std::size_t k = 0; k < count; ++k) {
     const EdgeSum& s = sums[k];
@@ -65,14 +66,14 @@ void integrate_one(const double* HWY_RESTRICT chords, const EdgeTerm* HWY_RESTRI
       sum = add_term<kValue>(sum, load(chords + terms[t].offset + static_cast<std::ptrdiff_t>(j)),
                              all(terms[t].weight));
     }
-    finish<kValue>(sum, s.factor + j, s.strain + j, units, s.out + j);
+    finish<kValue>(sum, s.factor + j, s.strain + j, options, s.out + j);
   }
 }
 
 /// Two vectors at a time: a sum alone waits for each addition.
 template <EdgeValue kValue>
 void integrate_two(const double* HWY_RESTRICT chords, const EdgeTerm* HWY_RESTRICT terms, const EdgeSum* sums,
-                   std::size_t count, std::size_t j, double units) {
+                   std::size_t count, std::size_t j, const EdgeOptions& options) {
   const std::size_t n = lanes();
   Lanes x = all(0.0);
   Lanes y = all(0.0);
@@ -85,35 +86,35 @@ void integrate_two(const double* HWY_RESTRICT chords, const EdgeTerm* HWY_RESTRI
       x = add_term<kValue>(x, load(chord), weight);
       y = add_term<kValue>(y, load(chord + n), weight);
     }
-    finish<kValue>(x, s.factor + j, s.strain + j, units, s.out + j);
-    finish<kValue>(y, s.factor + j + n, s.strain + j + n, units, s.out + j + n);
+    finish<kValue>(x, s.factor + j, s.strain + j, options, s.out + j);
+    finish<kValue>(y, s.factor + j + n, s.strain + j + n, options, s.out + j + n);
   }
 }
 
 template <EdgeValue kValue>
 void integrate_range(const double* chords, const EdgeTerm* terms, const EdgeSum* sums, std::size_t count,
-                     std::size_t lo, std::size_t hi, double units) {
+                     std::size_t lo, std::size_t hi, const EdgeOptions& options) {
   const std::size_t n = lanes();
   std::size_t j = lo;
-  for (; j + 2 * n <= hi; j += 2 * n) integrate_two<kValue>(chords, terms, sums, count, j, units);
-  for (; j < hi; j += n) integrate_one<kValue>(chords, terms, sums, count, j, units);
+  for (; j + 2 * n <= hi; j += 2 * n) integrate_two<kValue>(chords, terms, sums, count, j, options);
+  for (; j < hi; j += n) integrate_one<kValue>(chords, terms, sums, count, j, options);
 }
 
 void integrate_edges_lanes(const double* chords, const EdgeTerm* terms, const EdgeSum* sums,
                            std::size_t count, std::size_t lo, std::size_t hi, const EdgeOptions& options) {
   switch (options.value) {
     case EdgeValue::integral:
-      return integrate_range<EdgeValue::integral>(chords, terms, sums, count, lo, hi, options.units);
+      return integrate_range<EdgeValue::integral>(chords, terms, sums, count, lo, hi, options);
     case EdgeValue::largest:
-      return integrate_range<EdgeValue::largest>(chords, terms, sums, count, lo, hi, options.units);
+      return integrate_range<EdgeValue::largest>(chords, terms, sums, count, lo, hi, options);
     case EdgeValue::invalid:
-      return integrate_range<EdgeValue::invalid>(chords, terms, sums, count, lo, hi, options.units);
+      return integrate_range<EdgeValue::invalid>(chords, terms, sums, count, lo, hi, options);
   }
 }
 
 template <EdgeValue kValue>
 void overlap_range(const double* HWY_RESTRICT chords, const EdgeOverlaps& e, std::size_t lo, std::size_t hi,
-                   double units) {
+                   const EdgeOptions& options) {
   const Lanes sliver = all(kSliver);
   for (std::size_t j = lo; j < hi; j += lanes()) {
     const double* spread = e.spread_b + j / kBlock * 2 * static_cast<std::size_t>(e.b + 1);
@@ -136,7 +137,7 @@ void overlap_range(const double* HWY_RESTRICT chords, const EdgeOverlaps& e, std
         sum = hn::IfThenElse(hn::Gt(share, sliver), next, sum);
       }
     }
-    finish<kValue>(sum, e.factor + j, e.strain + j, units, e.out + j);
+    finish<kValue>(sum, e.factor + j, e.strain + j, options, e.out + j);
   }
 }
 
@@ -144,11 +145,11 @@ void integrate_overlaps_lanes(const double* chords, const EdgeOverlaps& edges, s
                               const EdgeOptions& options) {
   switch (options.value) {
     case EdgeValue::integral:
-      return overlap_range<EdgeValue::integral>(chords, edges, lo, hi, options.units);
+      return overlap_range<EdgeValue::integral>(chords, edges, lo, hi, options);
     case EdgeValue::largest:
-      return overlap_range<EdgeValue::largest>(chords, edges, lo, hi, options.units);
+      return overlap_range<EdgeValue::largest>(chords, edges, lo, hi, options);
     case EdgeValue::invalid:
-      return overlap_range<EdgeValue::invalid>(chords, edges, lo, hi, options.units);
+      return overlap_range<EdgeValue::invalid>(chords, edges, lo, hi, options);
   }
 }
 

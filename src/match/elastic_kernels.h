@@ -21,7 +21,7 @@ struct EdgeTerm {
 };
 
 /// The edges of one step that end in a row: terms [first, last) added up (after those of the sum before, if
-/// this one continues it), times `factor`, plus `strain`.
+/// this one continues it), times `factor`, plus lambda times `strain`.
 struct EdgeSum {
   bool continues;
   std::size_t first;
@@ -38,6 +38,7 @@ inline constexpr double kSliver = 1e-12;
 struct EdgeOptions {
   EdgeValue value;
   double units;
+  double lambda;  ///< of the strain
 };
 
 /// Writes sums[k].out[lo..hi). chords: the costs under the row's end nodes; terms index it.

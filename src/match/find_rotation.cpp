@@ -144,7 +144,8 @@ class Matcher {
     const Rotation back = rotation.inverse();
     for (std::size_t k = 0; k < tasks_.size(); ++k) {
       const SamplePair& pair = samples(k);
-      trial.found.push_back(search(pair.a, turned(pair.b, back), options, tasks_[k].layout));
+      trial.found.push_back(
+          search(pair.a, turned(pair.b, back), options, tasks_[k].layout, nullptr, tasks_[k].plans.get()));
       const SearchResult& found = trial.found.back();
       if (found.path.cancelled) {
         trial.cancelled = true;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -21,6 +22,7 @@ struct RotationTask {
   SamplePair fine;
   SamplePair coarse;  ///< of the same curves, fewer
   Layout layout = Layout::open;
+  std::shared_ptr<EdgePlans> plans = std::make_shared<EdgePlans>();  ///< of these samples
 };
 
 /// The common turn of the first curves to the second ones, and each pair's optimum under it.

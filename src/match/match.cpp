@@ -29,6 +29,7 @@ inline namespace v0 {
 namespace {
 
 using detail::Layout;
+using detail::MatchSamples;
 using detail::PathParameters;
 using detail::SamplePair;
 using detail::SearchResult;
@@ -68,15 +69,15 @@ bool looks_for_turn(const MatchOptions& options) {
   return options.rotation.empty() && options.rotate.value_or(false);
 }
 
-/// The optimum for the rotation that the options give, or that has to be found. coarse: empty where neither
-/// a turn is looked for nor coarse_to_fine is wanted.
-Optimum find_optimum(const SamplePair& samples, SamplePair coarse, const MatchOptions& options,
-                     Layout layout) {
+/// The optimum for the rotation that the options give, or that has to be found. The coarse samples may be
+/// empty where neither a turn is looked for nor coarse_to_fine is wanted.
+Optimum find_optimum(const MatchSamples& taken, const MatchOptions& options) {
+  const SamplePair& samples = taken.fine;
   const int dim = samples.a.dim();
   Optimum best{options.rotation.empty() ? Rotation(dim) : Rotation(dim, options.rotation), {}};
   const bool look = looks_for_turn(options);
   if (look) {
-    const detail::RotationTask task{samples, coarse, layout};
+    const detail::RotationTask task{samples, taken.coarse, taken.layout, taken.plans};
     detail::FoundRotation turn = detail::find_rotation({&task, 1}, options, 0.0);
     best.rotation = std::move(turn.rotation);
     best.found.path.cancelled = turn.cancelled;
@@ -86,10 +87,10 @@ Optimum find_optimum(const SamplePair& samples, SamplePair coarse, const MatchOp
   const Rotation back = best.rotation.inverse();
   const SamplePair turned{samples.a, tandem::turned(samples.b, back)};
   if (options.coarse_to_fine) {
-    coarse.b = tandem::turned(std::move(coarse.b), back);
-    best.found = detail::search_near(coarse, turned, options, layout);
+    const SamplePair coarse{taken.coarse.a, tandem::turned(taken.coarse.b, back)};
+    best.found = detail::search_near(coarse, turned, options, taken.layout, taken.plans.get());
   } else {
-    best.found = detail::search(turned.a, turned.b, options, layout);
+    best.found = detail::search(turned.a, turned.b, options, taken.layout, nullptr, taken.plans.get());
   }
   return best;
 }
@@ -214,11 +215,13 @@ Match match_by_segments(const Curve& a, const Curve& b, MatchOptions options, La
   return finish(a, b, options, layout, {std::move(paths.samples), std::move(path), std::move(report)});
 }
 
-/// From samples to curves in step. coarse: see find_optimum.
-Match match_by_samples(const Curve& a, const Curve& b, const MatchOptions& options, SamplePair samples,
-                       SamplePair coarse, Layout layout, double sample_seconds) {
+/// From samples to curves in step; see find_optimum.
+Match match_by_samples(const Curve& a, const Curve& b, const MatchOptions& options, const MatchSamples& taken,
+                       double sample_seconds) {
   Stopwatch watch;
-  const Optimum best = find_optimum(samples, std::move(coarse), options, layout);
+  const Optimum best = find_optimum(taken, options);
+  const Layout layout = taken.layout;
+  SamplePair samples = taken.fine;
   const SearchResult& found = best.found;
   if (found.path.cancelled) return cancelled_match(a, b, std::move(samples));
   if (found.path.nodes.empty()) {
@@ -253,7 +256,7 @@ MatchSamples sample_for_match(const Curve& a, const Curve& b, const MatchOptions
 Match match_sampled(const Curve& a, const Curve& b, const MatchOptions& options,
                     const MatchSamples& samples) {
   check_curves(a, b, options);
-  return match_by_samples(a, b, options, samples.fine, samples.coarse, samples.layout, 0.0);
+  return match_by_samples(a, b, options, samples, 0.0);
 }
 
 Match match_along(const Curve& a, const Curve& b, const MatchOptions& options, Match found,
@@ -296,12 +299,11 @@ Match match(const Curve& a, const Curve& b, const MatchOptions& given) {
   const MatchOptions options = detail::settle_pins(a, b, given, layout);
   if (options.method == Method::segments) return match_by_segments(a, b, options, layout);
   Stopwatch watch;
-  SamplePair samples = detail::sample_pair(a, b, options, layout, 1);
-  SamplePair coarse;
+  MatchSamples samples{detail::sample_pair(a, b, options, layout, 1), {}, layout};
   if (looks_for_turn(options) || options.coarse_to_fine) {
-    coarse = detail::sample_pair(a, b, options, layout, detail::kCoarsening);
+    samples.coarse = detail::sample_pair(a, b, options, layout, detail::kCoarsening);
   }
-  return match_by_samples(a, b, options, std::move(samples), std::move(coarse), layout, watch.lap());
+  return match_by_samples(a, b, options, samples, watch.lap());
 }
 
 std::vector<Match> match_chain(std::span<const Curve> curves, const MatchOptions& options) {

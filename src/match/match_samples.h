@@ -1,5 +1,8 @@
 #pragma once
 
+#include <memory>
+
+#include "match/edge_plan.h"
 #include "match/sample_pair.h"
 #include "tandem/curve/curve.h"
 #include "tandem/match/match.h"
@@ -13,6 +16,7 @@ struct MatchSamples {
   SamplePair fine;
   SamplePair coarse;  ///< of the same curves, fewer
   Layout layout = Layout::open;
+  std::shared_ptr<EdgePlans> plans = std::make_shared<EdgePlans>();  ///< of these samples
 };
 
 /// The samples that match() would take. @throws InvalidArgument as match()

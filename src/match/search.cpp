@@ -31,13 +31,14 @@ Path swapped(Path path) {
 }
 
 Path elastic_path(const Samples& a, const Samples& b, const MatchOptions& options, Layout layout,
-                  RuledSign sign, const Band* band, const Progress& progress, const Path* beat) {
+                  RuledSign sign, const Band* band, EdgePlans* plans, const Progress& progress,
+                  const Path* beat) {
   if (is_transposed(layout, Method::elastic)) {
     return swapped(elastic_path(b, a, options, Layout::cut_a,
                                 sign == RuledSign::positive   ? RuledSign::negative
                                 : sign == RuledSign::negative ? RuledSign::positive
                                                               : sign,
-                                band, progress, beat));
+                                band, plans, progress, beat));
   }
   // Large tables take as long as a programme that asks on its way.
   const auto stop = [&] { return progress && !progress(0.0); };
@@ -47,7 +48,8 @@ Path elastic_path(const Samples& a, const Samples& b, const MatchOptions& option
   const Aggregate aggregate = aggregate_of(options.norm);
   const NodeTable chords = chord_costs(a, b, options.norm, options.features, sign);
   if (stop()) return stopped;
-  EdgeRows edges(a, b, chords, options.elastic, aggregate);
+  EdgeRows edges(a, b, chords, options.elastic, aggregate,
+                 plans == nullptr ? nullptr : plans->find(a, b, options.elastic.longest_step));
   return best_elastic_path(edges, aggregate, band, progress, beat);
 }
 
@@ -80,7 +82,8 @@ NodeTable bar_beside(NodeTable nodes, const Band& band) {
 }
 
 Path paper_path(const Samples& a, const Samples& b, const MatchOptions& options, Layout layout,
-                RuledSign sign, const Band* band, const Progress& progress, const Path* /*beat*/) {
+                RuledSign sign, const Band* band, EdgePlans* /*plans*/, const Progress& progress,
+                const Path* /*beat*/) {
   const Aggregate aggregate = aggregate_of(options.norm);
   NodeTable nodes = node_costs(a, b, options.norm, options.features, sign);
   if (layout == Layout::cut_b) nodes = transposed(nodes);
@@ -167,12 +170,13 @@ double signed_area(const Samples& s) {
 class CandidateRuns {
  public:
   CandidateRuns(const Samples& a, const Samples& b, const MatchOptions& options, Layout layout,
-                const Band* band)
+                const Band* band, EdgePlans* plans)
       : a_(a),
         b_(b),
         options_(options),
         layout_(layout),
         band_(band),
+        plans_(plans),
         candidates_(list_candidates(a.dim(), options)),
         paths_(candidates_.size()),
         progress_(options.progress, static_cast<int>(candidates_.size())) {
@@ -224,7 +228,8 @@ class CandidateRuns {
     const Candidate& c = candidates_[k];
     const Progress own = progress_.for_candidate();
     const auto programme = options_.method == Method::paper ? paper_path : elastic_path;
-    paths_[k] = programme(a_, c.reversed ? *backward_ : b_, options_, layout_, c.sign, band_, own, beat);
+    paths_[k] =
+        programme(a_, c.reversed ? *backward_ : b_, options_, layout_, c.sign, band_, plans_, own, beat);
     // An open programme is too short to ask on its way; the answer counts all the same.
     if (own && !own(1.0)) paths_[k].cancelled = true;
   }
@@ -234,6 +239,7 @@ class CandidateRuns {
   const MatchOptions& options_;
   Layout layout_;
   const Band* band_;
+  EdgePlans* plans_;
   std::vector<Candidate> candidates_;
   std::optional<Samples> backward_;
   std::vector<Path> paths_;
@@ -243,9 +249,9 @@ class CandidateRuns {
 }  // namespace
 
 SearchResult search(const Samples& a, const Samples& b, const MatchOptions& options, Layout layout,
-                    const Band* band) {
+                    const Band* band, EdgePlans* plans) {
   if (!options.pins.empty()) return search_pinned(a, b, options, layout);
-  CandidateRuns runs(a, b, options, layout, band);
+  CandidateRuns runs(a, b, options, layout, band, plans);
   runs.run();
   SearchResult result = std::move(runs).best();
   if (result.path.nodes.empty()) return result;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "match/band.h"
+#include "match/edge_plan.h"
 #include "tandem/match/match.h"
 #include "tandem/match/programme.h"
 #include "tandem/match/samples.h"
@@ -38,10 +39,10 @@ struct SearchResult {
 
 /// Runs the programme for every direction (and sign of the ruled norm) that the options allow, and keeps the
 /// best: forward on a tie. band: the nodes that may be used, of a x b as matched, or of b x a where
-/// is_transposed().
+/// is_transposed(). plans: of those who match these samples several times.
 /// @throws InvalidArgument no path exists
 [[nodiscard]] SearchResult search(const Samples& a, const Samples& b, const MatchOptions& options,
-                                  Layout layout, const Band* band = nullptr);
+                                  Layout layout, const Band* band = nullptr, EdgePlans* plans = nullptr);
 
 }  // namespace detail
 }  // namespace v0

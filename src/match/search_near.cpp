@@ -17,9 +17,9 @@ constexpr int kBandRadius = 2 * kCoarsening;
 }  // namespace
 
 SearchResult search_near(const SamplePair& coarse, const SamplePair& fine, MatchOptions options,
-                         Layout layout) {
+                         Layout layout, EdgePlans* plans) {
   if (!options.pins.empty()) return search(fine.a, fine.b, options, layout);
-  SearchResult found = search(coarse.a, coarse.b, options, layout);
+  SearchResult found = search(coarse.a, coarse.b, options, layout, nullptr, plans);
   if (found.path.cancelled) return found;
   if (!found.path.nodes.empty()) {
     options.direction = found.reversed ? Direction::reversed : Direction::forward;
@@ -33,10 +33,10 @@ SearchResult search_near(const SamplePair& coarse, const SamplePair& fine, Match
                                              options.elastic.longest_step)
                                  : band_near({fine.a, fine_b}, {coarse.a, found.samples_b}, path, kBandRadius,
                                              options.elastic.longest_step);
-    SearchResult near = search(fine.a, fine.b, options, layout, &band);
+    SearchResult near = search(fine.a, fine.b, options, layout, &band, plans);
     if (!near.path.nodes.empty() || near.path.cancelled) return near;
   }
-  return search(fine.a, fine.b, options, layout);
+  return search(fine.a, fine.b, options, layout, nullptr, plans);
 }
 
 }  // namespace detail

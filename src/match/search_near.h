@@ -10,7 +10,7 @@ namespace detail {
 /// Runs the programmes on `coarse`, fewer samples of the same curves, and then on `fine` beside the path that
 /// they found, in the direction that they found: not exact.
 [[nodiscard]] SearchResult search_near(const SamplePair& coarse, const SamplePair& fine, MatchOptions options,
-                                       Layout layout);
+                                       Layout layout, EdgePlans* plans = nullptr);
 
 }  // namespace detail
 }  // namespace v0

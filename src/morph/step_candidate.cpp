@@ -203,7 +203,7 @@ Rotation StepKeys::find_turn(const MatchOptions& options) const {
   if (!(a.extent() > 0.0 && b.extent() > 0.0)) return Rotation(2);
   if (a_.curves.size() == 1 && b_.curves.size() == 1 && can_share(options)) {
     const MatchSamples& samples = samples_of(0, 0, options);
-    const RotationTask task{samples.fine, samples.coarse, samples.layout};
+    const RotationTask task{samples.fine, samples.coarse, samples.layout, samples.plans};
     return find_rotation({&task, 1}, own, 0.0).rotation;
   }
   const Rotation alone = common_rotation({&a, 1}, {&b, 1}, own);
