@@ -35,6 +35,10 @@ constexpr double kWorthRound = 1e-4;
 /// match under a candidate is most of what there is to gain.
 constexpr double kHopeful = 0.5;
 
+/// With coarse_to_fine, the longest step on the coarse samples: tells turns as well, with a third of the
+/// edges.
+constexpr int kHastyStep = 3;
+
 /// Candidates that the fine programme tries: those whose coarse cost is within this share, and this much, of
 /// the best.
 constexpr std::size_t kMostFinalists = 2;
@@ -140,6 +144,9 @@ class Matcher {
     MatchOptions options = options_;
     options.threads = threads;
     options.progress = progress;
+    if (coarse_ && options.coarse_to_fine) {
+      options.elastic.longest_step = std::min(options.elastic.longest_step, kHastyStep);
+    }
     if (direction != Direction::automatic) options.direction = direction;
     const Rotation back = rotation.inverse();
     for (std::size_t k = 0; k < tasks_.size(); ++k) {
