@@ -96,9 +96,10 @@ timing=(--times 0,0.6,1 --smooth)
 check smooth 0.42,0,0.58,1 0,1 'M0 0H9V2H3V5H0Z' 'M0 0V9H-2V3H-5V0Z' 'M0 0H9V9H0Z'
 timing=()
 
-# The player rests where its address says, with the points of our own in-between.
-expect 0 morph "$DATA/icons/heart.svg" "$DATA/icons/star.svg" -o player.html --quiet
-expect 0 morph "$DATA/icons/heart.svg" "$DATA/icons/star.svg" --at 0.37 -o - --quiet
+# The player rests where its address says, with the points of our own in-between (of an affine blend: others are
+# near between the frames that are written).
+expect 0 morph "$DATA/icons/heart.svg" "$DATA/icons/star.svg" --blend affine -o player.html --quiet
+expect 0 morph "$DATA/icons/heart.svg" "$DATA/icons/star.svg" --blend affine --at 0.37 -o - --quiet
 ours=$(grep -o '"d": "[^"]*"' <<<"$out" | head -1)
 theirs=$(browse --dump-dom "file://$work/player.html#s=0.37" | grep -o '<g id="shape"><path class="layer" d="[^"]*"' | sed 's/.* d=/d=/')
 that "the player's in-between" same_numbers "$ours" "$theirs"
