@@ -7,6 +7,7 @@
 
 #include "shape/plane.h"
 #include "tandem/curve/bounding_box.h"
+#include "tandem/curve/nearest_point.h"
 #include "tandem/shape/cut.h"
 #include "tandem/shape/measures.h"
 #include "tandem/shape/nesting.h"
@@ -23,6 +24,9 @@ constexpr std::size_t kMostPieces = 6;
 // Pieces go to where they belong rather than be cut by the shortest chords: what moves across others on the
 // way is seen, a chord is not.
 constexpr double kCenterWeight = 6.0;
+
+// How far what is pushed out onto a contour may be off it, as a share of its size.
+constexpr double kOnContour = 1e-6;
 
 struct Extent {
   Vec2 lo;
@@ -69,17 +73,16 @@ struct Solids {
   }
 };
 
-// Between two pieces with holes a chord is not pushed out: it would be a line that the key does not have.
-bool shows_chord(const CutPiece& piece) {
+// Between two pieces with holes a chord is not pushed out onto the contour, nor, maybe but for an end that
+// lies on another chord: it would be a line that the key does not have.
+bool shows_chord(const CutPiece& piece, const Curve& contour) {
+  const double tolerance = kOnContour * contour.extent();
   for (std::size_t i = 0; i < piece.chords.size(); ++i) {
     if (!piece.chords[i]) continue;
-    const auto p = piece.path.segment(i);
     const auto q = piece.outline->segment(i);
-    if (std::equal(p[0].begin(), p[0].end(), q[0].begin()) &&
-        std::equal(p[3].begin(), p[3].end(), q[3].begin()) &&
-        std::equal(p[1].begin(), p[1].end(), q[1].begin())) {
-      return true;
-    }
+    Point middle(2);
+    for (std::size_t c = 0; c < 2; ++c) middle[c] = 0.125 * (q[0][c] + 3.0 * (q[1][c] + q[2][c]) + q[3][c]);
+    if (nearest_point(contour, middle).distance > tolerance) return true;
   }
   return false;
 }
@@ -122,7 +125,9 @@ class Sharing {
       }
       std::vector<CutPiece> pieces = cut_contour(few_[i], targets_of(i, groups[i]), holes_of(i),
                                                  {.center_weight = kCenterWeight, .outlines = true});
-      if (std::any_of(pieces.begin(), pieces.end(), shows_chord)) pieces.clear();
+      const Curve contour = to_curve(few_[i]);
+      const auto shows = [&](const CutPiece& piece) { return shows_chord(piece, contour); };
+      if (std::any_of(pieces.begin(), pieces.end(), shows)) pieces.clear();
       any = any || !pieces.empty();
       if (pieces.empty()) parts.push_back({few_[i], i});
       for (CutPiece& piece : pieces) parts.push_back({std::move(piece.path), i, std::move(piece.outline)});

@@ -11,6 +11,7 @@
 #include "tandem/morph/path_morph.h"
 #include "tandem/morph/quality.h"
 #include "tandem/shape/measures.h"
+#include "tandem/shape/nesting.h"
 #include "tandem/shape/path_builder.h"
 
 namespace tandem {
@@ -337,6 +338,25 @@ TEST(Cuts, PiecesKeepTheirAreasThoughTheyLieElsewhere) {
   ASSERT_EQ(cut.size(), 2U);
   EXPECT_NEAR(signed_area(cut[0].path), 48.0, 8.0);
   EXPECT_NEAR(signed_area(cut[1].path), 112.0, 8.0);
+}
+
+// Three pieces, two of them with holes, of which one chord ends on the other: it has nowhere to be pushed.
+TEST(Cuts, NoneThatShowsAChordFromTheStart) {
+  const std::vector<CubicPath> plate{to_cubic_path(box(0, 0, 18, 20), 1e-6),
+                                     to_cubic_path(box(4, 3, 1, 2), 1e-6),
+                                     to_cubic_path(box(13, 3, 1, 2), 1e-6)};
+  const std::vector<CubicPath> three{to_cubic_path(box(0, 0, 8, 9), 1e-6),
+                                     to_cubic_path(box(10, 0, 8, 9), 1e-6),
+                                     to_cubic_path(box(0, 11, 18, 9), 1e-6)};
+  const std::vector<CubicPath> wound = orient(plate, FillRule::evenodd);
+  const detail::ContourPair pairs[] = {{0, 0, 0.0}, {1, {}, 0.0}, {2, {}, 0.0}, {{}, 1, 0.0}, {{}, 2, 0.0}};
+  const auto cut = detail::cut_keys(wound, three, pairs, Rotation(2));
+  EXPECT_FALSE(cut && cut->a.size() > 3);
+  // Without holes there is.
+  const detail::ContourPair alone[] = {{0, 0, 0.0}, {{}, 1, 0.0}, {{}, 2, 0.0}};
+  const auto whole = detail::cut_keys(std::span(wound).first(1), three, alone, Rotation(2));
+  ASSERT_TRUE(whole);
+  EXPECT_EQ(whole->a.size(), 3U);
 }
 
 }  // namespace
