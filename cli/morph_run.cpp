@@ -94,24 +94,6 @@ std::string contour_name(std::size_t contour, std::size_t key) {
                                : fmt::format("contour {} of shape {}", contour, key + 1);
 }
 
-bool is_filled_alone(const tandem::Style& style) {
-  return style.fill.paints() && !style.stroke.paints();
-}
-
-/// Whether there are open contours, and the fill closes all of them: closed by lines they are the same
-/// picture.
-bool are_closed_by_fill(std::span<const Shape> keys, std::span<const tandem::Style> styles) {
-  bool any = false;
-  for (std::size_t k = 0; k < styles.size(); ++k) {
-    for (const tandem::Curve& contour : keys[k].contours) {
-      if (contour.is_closed()) continue;
-      if (!is_filled_alone(styles[k])) return false;
-      any = true;
-    }
-  }
-  return any;
-}
-
 /// A fill closes what is open; a morph draws it as a stroke, or, where its file says how it is filled, fills
 /// it, but knows nothing of the side that closes it.
 void say_open(const Messages& messages, std::span<const Shape> keys, std::span<const tandem::Style> styles) {
@@ -120,7 +102,7 @@ void say_open(const Messages& messages, std::span<const Shape> keys, std::span<c
   bool any_closed = false;
   bool any_filled = false;
   for (std::size_t k = 0; k < keys.size(); ++k) {
-    const bool filled = !styles.empty() && is_filled_alone(styles[k]);
+    const bool filled = !styles.empty() && styles[k].fill.paints() && !styles[k].stroke.paints();
     for (std::size_t i = 0; i < keys[k].contours.size(); ++i) {
       const tandem::Curve& contour = keys[k].contours[i];
       any_closed = any_closed || contour.is_closed();
@@ -170,10 +152,6 @@ bool judge_run(const Command& command, MorphRun& result, const Messages& message
 MorphRun run_morph(const Command& command, std::span<const Shape> keys, tandem::MorphOptions options,
                    const Messages& messages, bool note_turn, std::span<const tandem::Style> styles) {
   options.match.progress = show_progress(messages.quiet());
-  if (options.match.closed == tandem::ClosedMode::automatic && keys.front().dim() == 2 &&
-      are_closed_by_fill(keys, styles)) {
-    options.match.closed = tandem::ClosedMode::yes;
-  }
   MorphRun result;
   {
     const InterruptibleScope interruptible;

@@ -88,16 +88,9 @@ svg '' '<line x2="9" y2="9"/>' >line.svg
 expect 0 morph line.svg line.svg -o out.svg
 has out.svg 'stroke="#1f2733"'
 
-# An open subpath that is filled is closed by its fill; beside strokes, and where nothing shall be closed, a
-# note names the remedy.
+# An open subpath that is filled is filled, and a note names the remedy.
 svg 'viewBox="0 0 24 24"' '<path d="M4 20L12 4L20 20"/>' >open.svg
-expect 0 morph open.svg open.svg -o closed.svg
-err_empty
-expect 0 morph open.svg open.svg -o out.svg --closed yes
-that "closed as --closed yes does" cmp -s closed.svg out.svg
-expect 0 morph open.svg menu.svg -o out.svg
-err_has 'open though filled.*contour 0 of A'
-expect 0 morph open.svg open.svg -o out.svg --closed no
+expect 0 morph open.svg open.svg -o out.svg
 err_has 'open though filled.*contour 0 of A, contour 0 of B; --closed yes'
 has_not out.svg stroke
 has_not out.svg 'fill="none"'
