@@ -55,6 +55,7 @@ Status run(const Command& command) {
       command.precision.empty() ? -1 : parse_count("--precision", command.precision, 0, kMostDecimals);
   const Messages messages(command.common.quiet);
   const std::vector<tandem::Shape> keys = load_inputs(command, 2, std::string::npos);
+  check_writable(command.output);
   if (keys.front().dim() != 2) {
     throw tandem::InvalidArgument(
         fmt::format("the shapes have dimension {}; only planar ones can be aligned", keys.front().dim()));

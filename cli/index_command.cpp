@@ -21,6 +21,7 @@ Status run(const Command& command) {
   if (command.output.empty()) throw UsageError("index needs -o FILE.tdx, or - for standard output");
   check_standard_input(command);
   if (command.output != "-") (void)output_format(command.output, command.to, {Format::index});
+  check_writable(command.output);
   const tandem::CorpusOptions options{to_load_options(command.common), to_rank_samples(command.rank)};
   std::string records;
   std::size_t count = 0;

@@ -63,6 +63,7 @@ Status run(const Command& command) {
       to_file ? output_format(command.output, command.to, {Format::json, Format::svg}) : Format::json;
   const Messages messages(command.common.quiet);
   const std::vector<Shape> shapes = load_inputs(command, 2, 2);
+  if (to_file) check_writable(command.output);
   const std::vector<Match> matches = match_contours(
       shapes[0], shapes[1], options, locate_pins(command.match.pins, shapes[0], shapes[1]), messages.quiet());
   erase_progress_bar();

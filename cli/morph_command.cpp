@@ -60,6 +60,7 @@ Status run(const Command& command) {
   if (are_time_pins(command.match.pins)) (void)parse_pins(command.match.pins);  // says what is wrong
   const std::vector<tandem::Drawing> drawings = load_drawings(command, 2, std::string::npos);
   const std::vector<Shape> keys = shapes_of(drawings);
+  check_writable(command.output, plan.output.format == Format::directory);
   say_smooth(messages, plan.morph.smooth, keys.size());
   const tandem::Look look = tandem::look_of(drawings);
   const int dim = keys.front().dim();

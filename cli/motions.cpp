@@ -125,6 +125,7 @@ Status morph_motions(const Command& command, const std::vector<CsvTable>& tables
   if (std::find(std::begin(kFormats), std::end(kFormats), output.format) == std::end(kFormats)) {
     throw tandem::InvalidArgument("motions go to .csv, .json, .svg, .html or DIRECTORY/, not to that format");
   }
+  check_writable(command.output, output.format == Format::directory);
   tandem::MotionOptions own;
   own.match = options.match;
   own.match.pins = parse_time_pins(command.match.pins);

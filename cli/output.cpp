@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -91,6 +92,17 @@ void check_replaceable(const fs::path& directory) {
   if (error) fail(directory, "cannot be read", error.value());
 }
 
+/// The directory that frames shall be in, which may be replaced by them.
+fs::path frame_target(const std::string& path) {
+  std::error_code error;
+  fs::path target =
+      fs::weakly_canonical(path, error);  // a link to a directory stays one; no slash at the end
+  if (error) fail(path, "cannot be written", error.value());
+  if (!target.has_filename()) target = target.parent_path();
+  check_replaceable(target);
+  return target;
+}
+
 /// A directory that is removed again unless it was handed over.
 class TemporaryDirectory {
  public:
@@ -170,6 +182,23 @@ Format output_format(const std::string& path, const std::string& to, const std::
                                allows(allowed, Format::directory) ? ", DIRECTORY/" : ""));
 }
 
+void check_writable(const std::string& path, bool frames) {
+  const auto refuse = [&](int error) {
+    throw tandem::IoError(fmt::format("cannot write {}: {}", path, std::strerror(error)));
+  };
+  if (path == "-") return;
+  const fs::path target = frames ? frame_target(path) : fs::path(path);
+  std::error_code error;
+  const fs::file_status status = fs::status(target, error);
+  if (fs::is_directory(status) && !frames) refuse(EISDIR);
+  if (fs::exists(status)) {
+    if (::access(target.c_str(), W_OK) != 0) refuse(errno);
+    return;
+  }
+  const fs::path parent = target.parent_path();
+  if (::access(parent.empty() ? "." : parent.c_str(), W_OK | X_OK) != 0) refuse(errno);
+}
+
 void write_output(const std::string& path, std::string_view content) {
   std::error_code error;
   const fs::file_status status = fs::status(path, error);
@@ -185,12 +214,7 @@ void write_output(const std::string& path, std::string_view content) {
 
 void write_frame_directory(const std::string& path, std::size_t count, std::string_view ending,
                            const std::function<std::string(std::size_t)>& content) {
-  std::error_code error;
-  fs::path target =
-      fs::weakly_canonical(path, error);  // a link to a directory stays one; no slash at the end
-  if (error) fail(path, "cannot be written", error.value());
-  if (!target.has_filename()) target = target.parent_path();
-  check_replaceable(target);
+  const fs::path target = frame_target(path);
   const int digits = std::max(3, static_cast<int>(fmt::format("{}", count - 1).size()));
   {
     const WritingScope writing;

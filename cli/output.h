@@ -38,6 +38,10 @@ enum class Format {
 [[nodiscard]] Format output_format(const std::string& path, const std::string& to,
                                    const std::vector<Format>& allowed);
 
+/// Before work whose result could not be written there. frames: to a directory of them.
+/// @throws tandem::IoError a directory (but of frames), or in one that is not there or not to be written to
+void check_writable(const std::string& path, bool frames = false);
+
 /// tandem::write_file, and Ctrl-C waits until the file is whole. @throws tandem::IoError; Interrupted
 void write_output(const std::string& path, std::string_view content);
 

@@ -125,6 +125,7 @@ Status run(const Command& command) {
   options.keep_shapes = to_file && format == Format::html;
   const tandem::CorpusOptions corpus{to_load_options(command.common), to_rank_samples(command.rank)};
   const ShapeDescriptor query = load_query(command.inputs.front(), corpus);
+  if (to_file) check_writable(command.output);
   const Ranking ranking = rank_candidates(command, query, options, corpus, messages);
   if (ranking.best.empty()) {
     throw tandem::InvalidArgument(fmt::format("none of {} candidates can be compared with {}",

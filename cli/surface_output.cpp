@@ -1,13 +1,8 @@
 #include "surface_output.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
-#include <filesystem>
-#include <system_error>
 
 #include "tandem/error.h"
 #include "tandem/io/cad.h"
@@ -134,22 +129,6 @@ SurfaceOutput plan_surface_output(const CLI::App& app, const std::string& path, 
   if (cad_format_of(output.format)) need_cad(path);
   check_writable(path);
   return output;
-}
-
-void check_writable(const std::string& path) {
-  const auto fail = [&](int error) {
-    throw tandem::IoError(fmt::format("cannot write {}: {}", path, std::strerror(error)));
-  };
-  if (path == "-") return;
-  std::error_code error;
-  const std::filesystem::file_status status = std::filesystem::status(path, error);
-  if (std::filesystem::is_directory(status)) fail(EISDIR);
-  if (std::filesystem::exists(status)) {
-    if (::access(path.c_str(), W_OK) != 0) fail(errno);
-    return;
-  }
-  const std::filesystem::path parent = std::filesystem::path(path).parent_path();
-  if (::access(parent.empty() ? "." : parent.c_str(), W_OK | X_OK) != 0) fail(errno);
 }
 
 tandem::Certificate certify(const tandem::Surface& surface, const SurfaceOutput& output) {

@@ -48,10 +48,6 @@ struct SurfaceOutput {
 [[nodiscard]] SurfaceOutput plan_surface_output(const CLI::App& app, const std::string& path,
                                                 const std::string& to, const SurfaceFlags& flags);
 
-/// Before work whose result could not be written. @throws tandem::IoError a directory, or in one that is not
-/// there or not to be written to
-void check_writable(const std::string& path);
-
 /// The certificate of the surface, and of the tessellation that would be written where it is not planar.
 [[nodiscard]] tandem::Certificate certify(const tandem::Surface& surface, const SurfaceOutput& output);
 /// Says so when it is not certified.

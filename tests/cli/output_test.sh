@@ -18,6 +18,14 @@ expect 1 match "$square" "$triangle" -o missing/out.json
 err_has 'missing/out\.json'
 expect 1 morph "$square" "$triangle" -o missing/frames/
 expect 1 convert "$square" -o missing/out.itd
+# Before the work: these would take many seconds.
+wave="M0 0$(printf 'q5 9 10 0t10 0%.0s' {1..40})V-30H0Z"
+for command in match morph align; do
+  expect 1 "$command" 'M10 0A10 10 0 1 1 -10 0A10 10 0 1 1 10 0Z' "$wave" --samples 3000 -o missing/out.svg
+  err_has 'cannot write missing/out\.svg'
+done
+expect 1 morph 'M10 0A10 10 0 1 1 -10 0A10 10 0 1 1 10 0Z' "$wave" --samples 3000 -o missing/frames/
+that "soon" test "$SECONDS" -le 60
 mkdir taken.json
 expect 1 convert "$square" -o taken.json
 that "a directory is not replaced by a file" test -d taken.json
