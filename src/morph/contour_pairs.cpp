@@ -101,7 +101,7 @@ class Pairing {
       : a_(a), b_(b), turn_(turn), options_(options) {
     options_.samples = {kSurveySamples, kSurveySamples};
     options_.rotation = turn.values();
-    options_.progress = {};
+    progress_ = std::exchange(options_.progress, {});
     options_.features.lenient = true;
     // What segments cost depends on the size, and is not to be weighed against distances.
     if (options_.method == Method::segments) options_.method = Method::elastic;
@@ -128,7 +128,10 @@ class Pairing {
     return best;
   }
 
+  /// 0 once the caller wants to stop, who then looks at nothing that comes of it.
   double known_cost(std::size_t i, std::size_t j) {
+    stopped_ = stopped_ || (progress_ && !progress_(0.0));
+    if (stopped_) return 0.0;
     const auto known = costs_.find({i, j});
     return known != costs_.end() ? known->second : costs_.emplace(std::pair{i, j}, cost(i, j)).first->second;
   }
@@ -270,6 +273,8 @@ class Pairing {
   const Drawing& b_;
   const Rotation& turn_;
   MatchOptions options_;
+  Progress progress_;
+  bool stopped_ = false;
   std::map<std::pair<std::size_t, std::size_t>, double> costs_;
 };
 

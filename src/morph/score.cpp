@@ -28,6 +28,10 @@ constexpr double kEven = 0.95;  // of the area of a body that grows evenly
 constexpr double kLeastLength = 0.6;
 constexpr double kMostLength = 1.4;
 
+// How far from the middle of both keys in-betweens may reach unnoticed, in halves of the diagonal: what turns
+// on the spot stays within 1, an outline that unrolls does not.
+constexpr double kReach = 1.1;
+
 // Diagonals of a key that a point may move by per unit of s where it leaves it: within 1/5000 of the way
 // it is then still within 1e-3 of its place, as ends that are exact should be (docs/interface.md).
 constexpr double kMostSpeed = 4.8;
@@ -42,6 +46,7 @@ constexpr double kAreaWeight = 1.0;
 constexpr double kLengthWeight = 1.0;
 constexpr double kTangentWeight = 0.6;
 constexpr double kTurnWeight = 2.0;  // of half a turn
+constexpr double kReachWeight = 1.0;
 // A correspondence that is off by 2 % of the length is seen as lopsided at once, and costs as
 // much as a turn of 11 degrees.
 constexpr double kAsymmetryWeight = 6.0;
@@ -203,8 +208,14 @@ void Judge::add_trouble(int part, Score& score) {
 void Judge::add_measures(const StepBlend& blend, const Reference& keys, double s, Score& score) const {
   Sums now;
   double broken = 0.0;
+  double reach = 0.0;
   for (std::size_t c = 0; c < points_.size(); ++c) {
     now.length += path_length(points_[c]);
+    for (std::size_t i = 0; i + 1 < points_[c].size(); i += 6) {  // joints
+      const double x = (points_[c][i] - center_.x) / radius_;
+      const double y = (points_[c][i + 1] - center_.y) / radius_;
+      reach = std::max(reach, x * x + y * y);
+    }
     if (keys.ends[c].a.is_closed()) now.area += signed_area(points_[c]);
     const std::size_t first_joint = keys.ends[c].a.is_closed() ? 0 : 3;
     for (std::size_t k = 0; k < keys.breaks[c].size(); ++k) {
@@ -217,6 +228,7 @@ void Judge::add_measures(const StepBlend& blend, const Reference& keys, double s
   const double length = now.length / ((1.0 - progress) * keys.first.length + progress * keys.last.length +
                                       left.first * keys.beyond.first + left.last * keys.beyond.last);
   if (length < kLeastLength || length > kMostLength) ++score.faults;
+  score.blemish += kReachWeight * std::max(0.0, std::sqrt(reach) - kReach) / kOrder.size();
   const double wanted = (1.0 - progress) * keys.first.area + progress * keys.last.area;
   if (wanted > 0.0) {
     const double area = std::fabs(now.area) / wanted;
@@ -231,10 +243,20 @@ void Judge::add_measures(const StepBlend& blend, const Reference& keys, double s
 
 void Judge::look_at_keys(const StepBlend& blend) {
   if (trouble_of_keys_) return;
+  Box box;
+  const auto include_all = [&] {
+    for (const std::vector<double>& points : points_) {
+      for (std::size_t i = 0; i + 1 < points.size(); i += 6) box.include(std::span(points).subspan(i, 2));
+    }
+  };
   sample(blend, 0.0);
+  include_all();
   const double of_first = trouble_of_frame(0);
   sample(blend, 1.0);
+  include_all();
   trouble_of_keys_ = {of_first, trouble_of_frame(kParts)};
+  center_ = {0.5 * (box.lo[0] + box.hi[0]), 0.5 * (box.lo[1] + box.hi[1])};
+  radius_ = 0.5 * box.diagonal();
 }
 
 // is_beaten(score): whether to look no further. measure_first: where only what is free of faults can win,

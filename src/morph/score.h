@@ -22,7 +22,7 @@ struct Score {
   /// How much of that there is: crossings and shares of folded regions, summed up.
   double trouble = std::numeric_limits<double>::infinity();
   /// What is left to like better: breaks at smooth joints, area and length off their linear blends, tangents
-  /// that turn, and the turn of the whole.
+  /// that turn, the turn of the whole, and what reaches beyond both keys.
   double blemish = std::numeric_limits<double>::infinity();
 
   [[nodiscard]] bool better_than(const Score& other) const {
@@ -63,6 +63,8 @@ class Judge {
   // One for each in-between, and for both keys: most contours are as they were the last time.
   std::vector<CrossingFinder> finders_;
   std::optional<std::array<double, 2>> trouble_of_keys_;
+  Vec2 center_{};        ///< of the box of both keys
+  double radius_ = 0.0;  ///< half its diagonal
   int last_looked_ = 0;  ///< the twentieth of the way where look() ended
   int last_fault_ = 0;   ///< the twentieth of the way where find_faultless() found one
   std::vector<std::vector<double>> points_;

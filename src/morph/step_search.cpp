@@ -34,6 +34,8 @@ constexpr double kDear = 0.4;
 constexpr std::size_t kParted = 6;
 constexpr std::size_t kPartedDetours = 100;
 constexpr double kWide = 0.02;
+// When so many of the in-betweens stay at fault, nobody steps aside for the rest.
+constexpr int kHopeless = 10;
 // Where others are looked at to keep clear of them.
 constexpr double kMeetings[] = {0.5, 0.3, 0.7};
 // Widths of the smoothing, as shares of the length: each so much wider than the one before.
@@ -273,8 +275,13 @@ class StepSearch {
       if (own.contours.size() < 2) return true;
       const double done = 0.5 + 0.25 * static_cast<double>(e) / static_cast<double>(entries_.size());
       Score score = judge_.judge(own.blend(entry.kind), {}, own.asymmetry);
+      const Score plain = score;
       StepCandidate late = own;
       if (!clear(own, entry.kind, score, done)) return false;
+      if (score.faults > kHopeless) {
+        own = late;
+        score = plain;
+      }
       if (score.faults > 0 && keep_lonely_small(late)) {
         Score now = judge_.judge(late.blend(entry.kind), {}, late.asymmetry);
         if (!clear(late, entry.kind, now, done)) return false;

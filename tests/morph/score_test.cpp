@@ -42,6 +42,23 @@ std::vector<StepBlend> random_blends(int count) {
   return blends;
 }
 
+// What steps out of the picture on its way is worse than what steps as far within, and turning on the spot is
+// neither.
+TEST(Judge, LikesInBetweensNearTheKeys) {
+  const std::vector<ContourEnds> ends{{triangle({0, 0}, 10), triangle({4, 0}, 10)}};
+  const auto blemish = [&](Vec2 way) {
+    StepBlend blend(BlendKind::affine, PlanarFrame{}, ends);
+    blend.set_detour(0, {.offset = way});
+    Judge judge(18.0);
+    const Score score = judge.judge(blend, {});
+    EXPECT_EQ(score.faults, 0);
+    return score.blemish;
+  };
+  const double straight = blemish({0, 0});
+  EXPECT_NEAR(blemish({0, 2}), straight, 1e-12);
+  EXPECT_GT(blemish({0, 6}), straight + 0.1);
+}
+
 TEST(Judge, BeatsWhatItScoresBetterThan) {
   const std::vector<StepBlend> blends = random_blends(40);
   Judge judge(16.0);
