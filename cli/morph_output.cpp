@@ -26,6 +26,7 @@ constexpr int kMostFrames = 100'000;
 constexpr int kLargestPicture = 8192;
 constexpr double kGifFramesPerSecond = 50.0;  // format_gif()
 constexpr int kMostDecimals = 15;
+constexpr double kFarthest = 1e6;              // beyond the first and the last shape
 constexpr double kLongestDuration = 86'400.0;  // a day, in seconds
 
 /// Seconds, as a number or as in CSS: 2, 2s, 500ms.
@@ -56,7 +57,7 @@ void plan_positions(const Command& command, MorphOutput& plan) {
   }
   if (!command.frames.empty()) throw UsageError("--frames and --at exclude each other");
   for (const std::string& part : split_list("--at", command.at))
-    plan.positions.push_back(parse_number("--at", part));
+    plan.positions.push_back(parse_number("--at", part, -kFarthest, kFarthest));
   plan.at_given = true;
   const char* const one = plan.format == Format::svg   ? "an .svg"
                           : plan.format == Format::png ? "a .png"

@@ -89,9 +89,7 @@ void say_turn(const Messages& messages, const ShapeReport& report) {
 
 /// "contour 2 of B", counted from 0 as in reports.
 std::string contour_name(std::size_t contour, std::size_t key) {
-  constexpr std::string_view kLetters = "ABCDEFGHIJKLMNOPQRSTUVWXYZ";
-  return key < kLetters.size() ? fmt::format("contour {} of {}", contour, kLetters[key])
-                               : fmt::format("contour {} of shape {}", contour, key + 1);
+  return fmt::format("contour {} of {}", contour, key_name(key));
 }
 
 /// A fill closes what is open; a morph draws it as a stroke, or, where its file says how it is filled, fills
@@ -173,9 +171,9 @@ MorphRun run_morph(const Command& command, std::span<const Shape> keys, tandem::
     say_open(messages, keys, styles);
     say_cut_open(messages, *result.paths, keys);
   }
-  for (const ShapeReport& report : result.reports) {
-    warn(messages, report);
-    if (note_turn) say_turn(messages, report);
+  for (std::size_t key = 0; key < result.reports.size(); ++key) {
+    warn(messages, result.reports[key], key);
+    if (note_turn) say_turn(messages, result.reports[key]);
   }
   return result;
 }

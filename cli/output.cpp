@@ -159,7 +159,11 @@ Format output_format(const std::string& path, const std::string& to, const std::
       if (to != ending.word || !allows(allowed, ending.format)) continue;
       const bool frames =
           ending.format == Format::svg || ending.format == Format::png || ending.format == Format::csv;
-      return directory && frames ? Format::directory : ending.format;
+      if (directory && frames) return Format::directory;
+      if (path.back() == '/') {
+        throw UsageError(fmt::format("{} is a directory, and --to {} wants a file", path, to));
+      }
+      return ending.format;
     }
     throw UsageError(fmt::format("--to takes one of {}, not '{}'", list(allowed, &Ending::word), to));
   }

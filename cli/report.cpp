@@ -236,15 +236,23 @@ std::string format_table(const ShapeReport& report) {
 
 /// "contour 4 of A", "contours 4, 5 and 6 of B".
 std::string list_contours(const std::vector<std::size_t>& contours, std::string_view of) {
+  constexpr std::size_t kMostNamed = 5;
   std::string text = contours.size() == 1 ? "contour " : "contours ";
-  for (std::size_t k = 0; k < contours.size(); ++k) {
+  const std::size_t named = contours.size() > kMostNamed + 1 ? kMostNamed : contours.size();
+  for (std::size_t k = 0; k < named; ++k) {
     if (k > 0) text += k + 1 == contours.size() ? " and " : ", ";
     text += fmt::format("{}", contours[k]);
   }
+  if (named < contours.size()) text += fmt::format(" and {} more", contours.size() - named);
   return fmt::format("{} of {}", text, of);
 }
 
-void warn(const Messages& messages, const ShapeReport& report) {
+std::string key_name(std::size_t key) {
+  constexpr std::string_view kLetters = "ABCDEFGHIJKLMNOPQRSTUVWXYZ";
+  return key < kLetters.size() ? std::string(1, kLetters[key]) : fmt::format("shape {}", key + 1);
+}
+
+void warn(const Messages& messages, const ShapeReport& report, std::size_t key) {
   if (!report.valid()) {
     const Totals totals = add_up(report);
     messages.warning(fmt::format(
@@ -258,8 +266,8 @@ void warn(const Messages& messages, const ShapeReport& report) {
     messages.warning(fmt::format("{} {} no partner: {} a point in a morph", list_contours(contours, of),
                                  contours.size() == 1 ? "has" : "have", what));
   };
-  lonely(report.unmatched_a, "A", "shrinking to");
-  lonely(report.unmatched_b, "B", "growing from");
+  lonely(report.unmatched_a, key_name(key), "shrinking to");
+  lonely(report.unmatched_b, key_name(key + 1), "growing from");
 }
 
 }  // namespace cli

@@ -48,6 +48,10 @@ struct ShapeReport {
 [[nodiscard]] std::string format_table(const ShapeReport& report);
 
 /// Says so when the match is not valid, or when contours have no partner.
-void warn(const Messages& messages, const ShapeReport& report);
+/// key: the place of the first of both shapes among all, from 0.
+void warn(const Messages& messages, const ShapeReport& report, std::size_t key = 0);
+
+/// "A", "B", ..., "shape 27": how messages name the inputs.
+[[nodiscard]] std::string key_name(std::size_t key);
 
 }  // namespace cli

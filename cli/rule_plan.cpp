@@ -57,13 +57,13 @@ std::string list_contours(const std::vector<tandem::Curve>& contours) {
 tandem::Curve single_curve(const Command& command, const std::vector<tandem::Shape>& shapes,
                            std::size_t index) {
   const std::vector<tandem::Curve>& contours = shapes[index].contours;
-  if (contours.size() == 1) return contours.front();
   const std::optional<std::size_t> picked = picked_contour(command, index);
+  if (contours.size() == 1 && !picked) return contours.front();
   if (picked && *picked < contours.size()) return contours[*picked];
-  throw tandem::InvalidArgument(
-      fmt::format("{}: has {} contours{}; {} takes one curve each, and --contour N picks one: {}",
-                  command.inputs[index], contours.size(), picked ? fmt::format(", and no {}", *picked) : "",
-                  command.app->get_name(), list_contours(contours)));
+  throw tandem::InvalidArgument(fmt::format(
+      "{}: has {} contour{}{}; {} takes one curve each, and --contour N picks one: {}", command.inputs[index],
+      contours.size(), contours.size() == 1 ? "" : "s", picked ? fmt::format(", and no {}", *picked) : "",
+      command.app->get_name(), list_contours(contours)));
 }
 
 void add_rail_flags(Command& command) {

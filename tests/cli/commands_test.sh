@@ -300,6 +300,18 @@ out_has '"direction": ?"reversed"'
 
 only ANIM.SVG a.svg back.json c.svg f.json m.json m.svg motion.csv p.html parts.svg sheet.svg space.itd space.json \
   still.svg two.svg
+# Places and folders that cannot be; and names of contours beyond the second key.
+expect 2 morph "$square" "$triangle" -o far.svg --at 1e308
+err_has 'at takes'
+expect 2 morph "$square" "$triangle" -o folder/ --to html
+err_has 'folder/ is a directory'
+expect 0 morph "$square" "$triangle" "M0 0H4V4H0ZM9 9h1v1h-1z" -o keys.json
+err_has 'contour 1 of C has no partner'
+dots=$(for i in {10..40}; do printf 'M%d 9h.5v.5h-.5z' "$i"; done)
+expect 0 morph "$square" "$square$dots" -o keys.json --no-cut
+err_has '0, 1, 2, 3, 4 and 26 more of B have no partner'
+rm keys.json
+
 # An option that has no say is mentioned, and nothing is where all have one.
 expect 0 morph "$square" "$triangle" -o idle.svg --at 0.5 --play once
 err_has 'note: --play changes nothing'

@@ -172,4 +172,11 @@ expect 2 rule "${u[@]}" -o x.json --norm angle
 err_has 'takes one of'
 that "nothing is written" test ! -e x.json
 
+# --contour counts where there is one contour, too.
+expect 0 rule "$square" "$triangle" -o one.json --contour 0 --quiet
+expect 2 rule "$square" "$triangle" -o one.json --contour foo
+expect 3 rule "$square" "$triangle" -o one.json --contour 3
+err_has 'has 1 contour, and no 3'
+expect 2 rule "$square" "$triangle" -o one.json --contour 5,6,7
+
 finish
