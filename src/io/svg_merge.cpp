@@ -70,6 +70,12 @@ Drawing merge(const SvgPicture& picture) {
   });
   drawing.style = largest->style;
   drawing.several_styles = styles.size() > 1;
+  const auto is_line = [](const Painted& painted) {
+    return painted.style.stroke.paints() && !painted.style.fill.paints();
+  };
+  if (!drawing.style->stroke.paints() && std::any_of(styles.begin(), styles.end(), is_line)) {
+    drawing.missed.emplace_back("its lines beside what is filled");
+  }
   return drawing;
 }
 

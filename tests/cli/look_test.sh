@@ -50,6 +50,9 @@ expect 0 morph rich.svg red.svg -o out.svg
 err_has 'rich is drawn without dashes, gradients and patterns beyond their first colour, <text>, styles for "g > path"'
 expect 0 morph red.svg blue.svg -o out.svg
 err_empty
+svg 'viewBox="0 0 24 24"' '<path d="M2 2H9V9Z"/><path fill="none" stroke="red" d="M12 12L20 20"/>' >mixed.svg
+expect 0 morph mixed.svg red.svg -o out.svg
+err_has 'mixed is drawn without its lines beside what is filled'
 
 # One contour that crosses itself keeps its rule.
 svg 'viewBox="0 0 24 24"' '<path fill-rule="evenodd" d="M12 1L19 22L1 9H23L5 22Z"/>' >pentagram.svg
