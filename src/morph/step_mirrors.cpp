@@ -2,7 +2,7 @@
 
 #include "morph/measures.h"
 #include "morph/mirror.h"
-#include "morph/step_candidate.h"
+#include "morph/step_keys.h"
 
 namespace tandem {
 inline namespace v0 {

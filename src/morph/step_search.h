@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "morph/step_candidate.h"
+#include "morph/step_keys.h"
 #include "tandem/morph/blend.h"
 #include "tandem/morph/morph.h"
 #include "tandem/shape/cubic_path.h"

@@ -9,7 +9,7 @@
 #include "morph/measures.h"
 #include "morph/score.h"
 #include "morph/step_blend.h"
-#include "morph/step_candidate.h"
+#include "morph/step_keys.h"
 #include "morph/turn_price.h"
 #include "tandem/curve/bounding_box.h"
 #include "tandem/shape/path_builder.h"
