@@ -38,27 +38,8 @@ std::vector<double> identity_rotation(int dim) {
   return matrix;
 }
 
-/// Which nodes of a path the paper's test calls invalid.
-void count_invalid(MatchReport& report, const Samples& a, const Samples& b, const Path& path, bool closed,
-                   const MatchOptions& options) {
-  if (options.method == Method::elastic) {
-    report.invalid_length = static_cast<double>(path.invalid) * kInvalidQuantum;
-    const NodeTable chords = chord_costs(a, b, options.norm, options.features, RuledSign::product);
-    // A node is invalid when the chords on one side of it are: the same from both ends.
-    const auto invalid = [&](int i, int j) {
-      const int rows = static_cast<int>(a.chords());
-      const int cols = static_cast<int>(b.chords());
-      if (a.cyclic) i = (i + rows) % rows;
-      if (b.cyclic) j = (j + cols) % cols;
-      if (i < 0 || i >= rows || j < 0 || j >= cols) return false;
-      return chords.invalid[chords.index(static_cast<std::size_t>(i), static_cast<std::size_t>(j))] != 0;
-    };
-    for (std::size_t n = closed ? 1 : 0; n < path.nodes.size(); ++n) {
-      const Node& node = path.nodes[n];
-      if (invalid(node.i, node.j) || invalid(node.i - 1, node.j - 1)) ++report.invalid_nodes;
-    }
-    return;
-  }
+/// What the paper's test calls invalid of its paths.
+void add_invalid(MatchReport& report, const Samples& a, const Samples& b, const Path& path) {
   report.invalid_nodes = static_cast<int>(path.invalid);
   if (path.invalid == 0) return;
   // Each step's length, the mean of both curves', is shared by the nodes at its ends.
@@ -95,7 +76,11 @@ MatchReport make_report(const Samples& a, const SearchResult& found, const Match
   report.rotation = identity_rotation(a.dim());
   report.exact = !options.coarse_to_fine;
   report.path = found.path.nodes;
-  count_invalid(report, a, b, found.path, closed, options);
+  if (options.method == Method::elastic) {
+    report.invalid_length = static_cast<double>(found.path.invalid) * kInvalidQuantum;
+  } else {
+    add_invalid(report, a, b, found.path);
+  }
   report.cost = found.path.cost;
   report.mean_cost = report.cost;
   if (options.method == Method::paper) {
@@ -107,6 +92,26 @@ MatchReport make_report(const Samples& a, const SearchResult& found, const Match
     report.shift = shift_of(found.path.nodes.front(), report.samples[0], report.samples[1]);
   }
   return report;
+}
+
+int count_invalid_nodes(const std::vector<Node>& path, const Samples& a, const Samples& b,
+                        const MatchOptions& options, bool closed) {
+  const NodeTable chords = chord_costs(a, b, options.norm, options.features, RuledSign::product);
+  // A node is invalid when the chords on one side of it are: the same from both ends.
+  const auto invalid = [&](int i, int j) {
+    const int rows = static_cast<int>(a.chords());
+    const int cols = static_cast<int>(b.chords());
+    if (a.cyclic) i = (i + rows) % rows;
+    if (b.cyclic) j = (j + cols) % cols;
+    if (i < 0 || i >= rows || j < 0 || j >= cols) return false;
+    return chords.invalid[chords.index(static_cast<std::size_t>(i), static_cast<std::size_t>(j))] != 0;
+  };
+  int count = 0;
+  for (std::size_t n = closed ? 1 : 0; n < path.size(); ++n) {
+    const Node& node = path[n];
+    if (invalid(node.i, node.j) || invalid(node.i - 1, node.j - 1)) ++count;
+  }
+  return count;
 }
 
 MatchReport make_report(const SegmentMatch& found, int dim, const MatchOptions& options) {

@@ -1,24 +1,19 @@
 #include "tandem/match/match.h"
 
-#include <algorithm>
-#include <chrono>
-#include <cmath>
 #include <string>
 #include <utility>
 
 #include "match/find_rotation.h"
+#include "match/found_match.h"
 #include "match/make_report.h"
-#include "match/match_along.h"
 #include "match/match_samples.h"
 #include "match/path_correspondence.h"
 #include "match/pins.h"
 #include "match/sample_pair.h"
 #include "match/search.h"
 #include "match/search_near.h"
-#include "match/second_curve.h"
 #include "match/segment_paths.h"
-#include "tandem/curve/compose.h"
-#include "tandem/curve/edit.h"
+#include "match/stopwatch.h"
 #include "tandem/error.h"
 #include "tandem/match/rotation.h"
 #include "tandem/match/segments.h"
@@ -28,30 +23,13 @@ inline namespace v0 {
 
 namespace {
 
+using detail::FoundMatch;
 using detail::Layout;
 using detail::MatchSamples;
 using detail::PathParameters;
 using detail::SamplePair;
 using detail::SearchResult;
-
-constexpr int kPaperCoefficients = 20;
-
-/// Pins may ask for steeper reparametrisations than matching would find.
-constexpr double kPinnedSlope = 1e-6;
-
-class Stopwatch {
- public:
-  /// Seconds since construction or the last lap.
-  double lap() {
-    const auto now = std::chrono::steady_clock::now();
-    const double seconds = std::chrono::duration<double>(now - last_).count();
-    last_ = now;
-    return seconds;
-  }
-
- private:
-  std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
-};
+using detail::Stopwatch;
 
 PathParameters parameters_of(const SamplePair& samples, const SearchResult& found,
                              const MatchOptions& options, Layout layout) {
@@ -95,44 +73,6 @@ Optimum find_optimum(const MatchSamples& taken, const MatchOptions& options) {
   return best;
 }
 
-ReductionOptions reduction_of(const MatchOptions& options) {
-  if (options.reduction) return *options.reduction;
-  ReductionOptions reduction;
-  if (!options.pins.empty()) {
-    reduction.min_slope = kPinnedSlope;
-  } else if (options.method == Method::paper) {
-    reduction.coefficients = kPaperCoefficients;
-  }
-  return reduction;
-}
-
-/// The curve turned about the origin, and halved, so that huge coordinates stay finite: what validity in the
-/// tangent norm depends on stays the same.
-Curve turned(const Curve& curve, const Rotation& rotation) {
-  Points points = curve.control_points();
-  for (double& x : points.data()) x *= 0.5;
-  return Curve(curve.degree(), curve.knots(), rotation(std::move(points)), curve.weights());
-}
-
-/// [C] Definition 5 in the frame in which the blend is made (spec C5): the second curve turned back.
-Validity validity_of(const Curve& a, const Curve& b, const Rotation& rotation, const Norm& norm) {
-  const auto* kind = std::get_if<NormKind>(&norm);
-  if (kind != nullptr && *kind == NormKind::ruled) return check_validity(a, b, NormKind::ruled);
-  return check_validity(a, rotation.is_identity() ? b : turned(b, rotation.inverse()), NormKind::tangent);
-}
-
-/// What a cancelled match holds: the curves side by side by their parameters.
-Match cancelled_match(const Curve& a, const Curve& b, SamplePair samples) {
-  const Interval u = a.domain();
-  const Interval v = b.domain();
-  Correspondence c{{{u.lo, v.lo}, {u.hi, v.hi}}, u, v, false, false};
-  Reparametrization r = fit({c.points, {}}, {});
-  MatchReport report;
-  report.cancelled = true;
-  return {std::move(c),      std::move(r),         with_domain(b, u),
-          std::move(report), std::move(samples.a), std::move(samples.b)};
-}
-
 void check_curves(const Curve& a, const Curve& b, const MatchOptions& options) {
   if (a.dim() != b.dim()) {
     throw InvalidArgument("the curves have different dimensions: the first has " + std::to_string(a.dim()) +
@@ -146,60 +86,15 @@ void check_curves(const Curve& a, const Curve& b, const MatchOptions& options) {
   }
 }
 
-/// What is known once the path is.
-struct Found {
-  SamplePair samples;  ///< both forward
-  PathParameters path;
-  MatchReport report;  ///< all but the fit and what follows it
-};
-
-// Where a point of the correspondence lies in a corner of either curve, within this share of its domain.
-constexpr double kAtCorner = 1e-6;
-
-std::vector<double> corners_of(const Correspondence& c, const Samples& a, const Samples& b) {
-  const auto in_corner = [](const Samples& samples, double at) {
-    for (std::size_t i = 0; i < samples.size(); ++i) {
-      if (!samples.corners[i]) continue;
-      const double off = samples.parameters[i] - at;
-      const double period = samples.domain.length();
-      const double least = samples.cyclic ? std::remainder(off, period) : off;
-      if (std::fabs(least) <= kAtCorner * period) return true;
-    }
-    return false;
-  };
-  std::vector<double> corners;
-  for (const ParameterPair& p : c.points) {
-    const double v = c.reversed ? b.domain.lo + (b.domain.hi - p.v) : p.v;
-    if (!in_corner(a, p.u) && !in_corner(b, v)) continue;
-    corners.push_back(c.closed && p.u >= c.domain_u.hi ? p.u - c.domain_u.length() : p.u);
-  }
-  return corners;
+FoundMatch cancelled(Layout layout, SamplePair samples) {
+  FoundMatch found;
+  found.layout = layout;
+  found.samples = std::move(samples);
+  found.report.cancelled = true;
+  return found;
 }
 
-/// From the path to curves in step.
-Match finish(const Curve& a, const Curve& b, const MatchOptions& options, Layout layout, Found found) {
-  Stopwatch watch;
-  const Correspondence& correspondence = found.path.correspondence;
-  MatchReport& report = found.report;
-  Reparametrization r = detail::in_own_domain(
-      fit(fit_path(correspondence, found.path.corners), reduction_of(options), correspondence.reversed),
-      correspondence.domain_v, b.domain());
-  report.seconds.fit = watch.lap();
-  Curve curve = compose(detail::second_curve(b, correspondence, r), r.v);
-  report.seconds.compose = watch.lap();
-
-  const Curve& first = layout == Layout::cut_a ? move_seam(a, curve.domain().lo) : a;
-  report.validity = validity_of(first, curve, Rotation(a.dim(), report.rotation), options.norm);
-  if (correspondence.reversed) found.samples.b = reversed(found.samples.b);
-  return {std::move(found.path.correspondence),
-          std::move(r),
-          std::move(curve),
-          std::move(found.report),
-          std::move(found.samples.a),
-          std::move(found.samples.b)};
-}
-
-Match match_by_segments(const Curve& a, const Curve& b, MatchOptions options, Layout layout) {
+FoundMatch match_by_segments(const Curve& a, const Curve& b, MatchOptions options, Layout layout) {
   Stopwatch watch;
   if (options.rotation.empty() && options.rotate.value_or(false)) {
     options.rotation = common_rotation({&a, 1}, {&b, 1}, options).values();
@@ -207,23 +102,22 @@ Match match_by_segments(const Curve& a, const Curve& b, MatchOptions options, La
   detail::SegmentPaths paths = detail::segment_paths(a, b, layout, options.pins);
   const double sample_seconds = watch.lap();
   const SegmentMatch found = detail::match_segment_paths(paths, options);
-  if (found.cancelled) return cancelled_match(a, b, std::move(paths.samples));
+  if (found.cancelled) return cancelled(layout, std::move(paths.samples));
   MatchReport report = detail::make_report(found, a.dim(), options);
   report.seconds.sample = sample_seconds;
   report.seconds.match = watch.lap();
   PathParameters path = detail::path_parameters(found, paths);
-  return finish(a, b, options, layout, {std::move(paths.samples), std::move(path), std::move(report)});
+  return {std::move(options), layout, std::move(paths.samples), {}, std::move(path), std::move(report)};
 }
 
-/// From samples to curves in step; see find_optimum.
-Match match_by_samples(const Curve& a, const Curve& b, const MatchOptions& options, const MatchSamples& taken,
-                       double sample_seconds) {
+/// See find_optimum.
+FoundMatch match_by_samples(const MatchOptions& options, const MatchSamples& taken, double sample_seconds) {
   Stopwatch watch;
-  const Optimum best = find_optimum(taken, options);
+  Optimum best = find_optimum(taken, options);
   const Layout layout = taken.layout;
   SamplePair samples = taken.fine;
-  const SearchResult& found = best.found;
-  if (found.path.cancelled) return cancelled_match(a, b, std::move(samples));
+  SearchResult& found = best.found;
+  if (found.path.cancelled) return cancelled(layout, std::move(samples));
   if (found.path.nodes.empty()) {
     throw InvalidArgument("no path: steps of up to " + std::to_string(options.elastic.longest_step) +
                           " samples cannot match " + std::to_string(samples.a.size()) + " samples with " +
@@ -240,7 +134,8 @@ Match match_by_samples(const Curve& a, const Curve& b, const MatchOptions& optio
   report.rotation = best.rotation.values();
   report.seconds.sample = sample_seconds;
   report.seconds.match = watch.lap();
-  return finish(a, b, options, layout, {std::move(samples), std::move(path), std::move(report)});
+  return {options,         layout,           std::move(samples), std::move(found.samples_b),
+          std::move(path), std::move(report)};
 }
 
 }  // namespace
@@ -253,57 +148,29 @@ MatchSamples sample_for_match(const Curve& a, const Curve& b, const MatchOptions
   return {sample_pair(a, b, options, layout, 1), sample_pair(a, b, options, layout, kCoarsening), layout};
 }
 
-Match match_sampled(const Curve& a, const Curve& b, const MatchOptions& options,
-                    const MatchSamples& samples) {
+FoundMatch find_match(const Curve& a, const Curve& b, const MatchOptions& options,
+                      const MatchSamples& samples) {
   check_curves(a, b, options);
-  return match_by_samples(a, b, options, samples, 0.0);
+  return match_by_samples(options, samples, 0.0);
 }
 
-Match match_along(const Curve& a, const Curve& b, const MatchOptions& options, Match found,
-                  Correspondence along) {
-  const Layout layout = choose_layout(a, b, options.closed);
-  std::vector<double> corners = corners_of(along, found.samples_a, found.samples_b);
-  SamplePair samples{std::move(found.samples_a), std::move(found.samples_b)};
-  if (along.reversed) samples.b = reversed(samples.b);
-  return finish(a, b, options, layout,
-                {std::move(samples), {std::move(along), std::move(corners)}, std::move(found.report)});
-}
-
-Match inverse_match(const Curve& a, const Curve& b, const MatchOptions& options, Match found) {
-  MatchReport& report = found.report;
-  const bool turned_round = found.correspondence.reversed;
-  std::swap(found.samples_a, found.samples_b);
-  if (turned_round) {  // the second ones run backwards
-    found.samples_a = reversed(found.samples_a);
-    found.samples_b = reversed(found.samples_b);
+FoundMatch find_match(const Curve& a, const Curve& b, const MatchOptions& given) {
+  check_curves(a, b, given);
+  const Layout layout = choose_layout(a, b, given.closed);
+  const MatchOptions options = settle_pins(a, b, given, layout);
+  if (options.method == Method::segments) return match_by_segments(a, b, options, layout);
+  Stopwatch watch;
+  MatchSamples samples{sample_pair(a, b, options, layout, 1), {}, layout};
+  if (looks_for_turn(options) || options.coarse_to_fine) {
+    samples.coarse = sample_pair(a, b, options, layout, kCoarsening);
   }
-  std::swap(report.samples[0], report.samples[1]);
-  for (Node& node : report.path) {
-    node = turned_round ? Node{report.samples[0] - 1 - node.j, report.samples[1] - 1 - node.i}
-                        : Node{node.j, node.i};
-  }
-  if (turned_round) std::reverse(report.path.begin(), report.path.end());
-  if (!report.path.empty() && found.correspondence.closed) {
-    report.shift = shift_of(report.path.front(), report.samples[0], report.samples[1]);
-  }
-  report.rotation = Rotation(a.dim(), report.rotation).inverse().values();
-  Correspondence along = found.correspondence.inverse();
-  return match_along(b, a, options, std::move(found), std::move(along));
+  return match_by_samples(options, samples, watch.lap());
 }
 
 }  // namespace detail
 
-Match match(const Curve& a, const Curve& b, const MatchOptions& given) {
-  check_curves(a, b, given);
-  const Layout layout = detail::choose_layout(a, b, given.closed);
-  const MatchOptions options = detail::settle_pins(a, b, given, layout);
-  if (options.method == Method::segments) return match_by_segments(a, b, options, layout);
-  Stopwatch watch;
-  MatchSamples samples{detail::sample_pair(a, b, options, layout, 1), {}, layout};
-  if (looks_for_turn(options) || options.coarse_to_fine) {
-    samples.coarse = detail::sample_pair(a, b, options, layout, detail::kCoarsening);
-  }
-  return match_by_samples(a, b, options, samples, watch.lap());
+Match match(const Curve& a, const Curve& b, const MatchOptions& options) {
+  return detail::finish_match(a, b, detail::find_match(a, b, options));
 }
 
 std::vector<Match> match_chain(std::span<const Curve> curves, const MatchOptions& options) {

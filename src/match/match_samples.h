@@ -22,12 +22,6 @@ struct MatchSamples {
 /// The samples that match() would take. @throws InvalidArgument as match()
 [[nodiscard]] MatchSamples sample_for_match(const Curve& a, const Curve& b, const MatchOptions& options);
 
-/// match(a, b, options) on samples that are there. They must have been taken of these curves with options
-/// that differ in direction, norm, features, elastic and reduction options, rotation or coarse_to_fine only;
-/// no pins, not by segments.
-[[nodiscard]] Match match_sampled(const Curve& a, const Curve& b, const MatchOptions& options,
-                                  const MatchSamples& samples);
-
 }  // namespace detail
 }  // namespace v0
 }  // namespace tandem

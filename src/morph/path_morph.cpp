@@ -241,9 +241,14 @@ class Builder {
           {{std::move(drawn.a), std::move(drawn.b)}, contour.b.value_or(0), contour.b.has_value(), {}});
       if (contour.outline_a || contour.outline_b) tracks_.back().piece = std::move(contour.ends);
       step.firsts.push_back(contour.a ? std::optional(a[*contour.a]) : std::nullopt);
-      step.contours.push_back({contour.a, contour.b, std::move(contour.match)});
+      step.contours.push_back({contour.a, contour.b, whole_match(contour)});
       step.detours.push_back(contour.detour);
     }
+  }
+
+  [[nodiscard]] static std::optional<Match> whole_match(const FoundContour& contour) {
+    if (!contour.match) return std::nullopt;
+    return contour.match->finish();
   }
 
   void append(std::vector<FoundContour> contours, const std::vector<std::size_t>& track_of) {
@@ -256,7 +261,7 @@ class Builder {
       if (!track.alive) track.keys.push_back(track.keys.back());
     }
     for (FoundContour& found : contours) {
-      ContourStep told{{}, found.b, std::move(found.match)};
+      ContourStep told{{}, found.b, whole_match(found)};
       if (!found.a) {  // a point in all keys before
         Track track;
         track.keys.assign(before, found.ends.a);

@@ -1,11 +1,14 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <vector>
 
+#include "match/found_match.h"
 #include "morph/planar_frame.h"
 #include "morph/step_blend.h"
+#include "tandem/curve/curve.h"
 #include "tandem/match/match.h"
 #include "tandem/morph/blend.h"
 #include "tandem/shape/cubic_path.h"
@@ -14,11 +17,21 @@ namespace tandem {
 inline namespace v0 {
 namespace detail {
 
+/// Two contours that are matched.
+struct MatchedPair {
+  Curve a;
+  Curve b;
+  FoundMatch found;
+
+  /// The whole match: for what has been chosen, it takes its time.
+  [[nodiscard]] Match finish() const { return finish_match(a, b, found); }
+};
+
 /// What becomes of a contour, or of a piece of one, in a step. Several may be pieces of the same contour.
 struct FoundContour {
-  std::optional<std::size_t> a;  ///< of the first key; nothing: born
-  std::optional<std::size_t> b;  ///< of the second; nothing: dies
-  std::optional<Match> match;
+  std::optional<std::size_t> a;        ///< of the first key; nothing: born
+  std::optional<std::size_t> b;        ///< of the second; nothing: dies
+  std::shared_ptr<MatchedPair> match;  ///< shared by copies; nothing: born or dies
   std::vector<double> cuts;  ///< where the first key's contour is cut; empty: nowhere, or there is none
   ContourEnds ends;          ///< what is blended: pieces with their chords
   ContourDetour detour;

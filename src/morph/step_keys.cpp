@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "match/find_rotation.h"
-#include "match/match_along.h"
+#include "match/found_match.h"
 #include "morph/measures.h"
 #include "shape/trigonometry.h"
 #include "tandem/curve/bounding_box.h"
@@ -209,20 +209,20 @@ std::optional<StepCandidate> StepKeys::match(const Turned& turned, const MatchOp
     const auto shared = mirror ? shared_mirror_of(pair, turned.turn) : std::nullopt;
     if (shared) joints.pins.assign(shared->ends.begin(), shared->ends.end());
     own.pins = joints.pins;
-    Match found = match_pair(*pair.a, *pair.b, own);
+    FoundMatch found = match_pair(*pair.a, *pair.b, own);
     if (found.report.cancelled) return std::nullopt;
+    const Curve& first = a_.curves[*pair.a];
+    const Curve& second = b_.curves[*pair.b];
+    const Correspondence& correspondence = found.path.correspondence;
     if (shared) {
-      const Curve& first = a_.curves[*pair.a];
-      const Curve& second = b_.curves[*pair.b];
-      Correspondence along = mirrored(found.correspondence, Reflection(first, shared->ends[0].u),
-                                      Reflection(second, shared->ends[0].v));
-      found = match_along(first, second, own, std::move(found), std::move(along));
+      follow(found, mirrored(correspondence, Reflection(first, shared->ends[0].u),
+                             Reflection(second, shared->ends[0].v)));
     }
-    AlignedPaths aligned = own.method == Method::segments ? cut_in_step(a, b, found.correspondence)
-                                                          : align(a, b, found.correspondence, joints);
+    AlignedPaths aligned = own.method == Method::segments ? cut_in_step(a, b, correspondence)
+                                                          : align(a, b, correspondence, joints);
     candidate.contours.push_back({a_.sources[*pair.a],
                                   b_.sources[*pair.b],
-                                  std::move(found),
+                                  std::make_shared<MatchedPair>(MatchedPair{first, second, std::move(found)}),
                                   std::move(aligned.cuts),
                                   {std::move(aligned.a), std::move(aligned.b)},
                                   {}});
@@ -250,11 +250,11 @@ const MatchSamples& StepKeys::samples_of(std::size_t a, std::size_t b, const Mat
       .first->second;
 }
 
-Match StepKeys::match_pair(std::size_t a, std::size_t b, const MatchOptions& options) const {
+FoundMatch StepKeys::match_pair(std::size_t a, std::size_t b, const MatchOptions& options) const {
   const Curve& first = a_.curves[a];
   const Curve& second = b_.curves[b];
-  if (!can_share(options)) return tandem::match(first, second, options);
-  return match_sampled(first, second, options, samples_of(a, b, options));
+  if (!can_share(options)) return find_match(first, second, options);
+  return find_match(first, second, options, samples_of(a, b, options));
 }
 
 }  // namespace detail

@@ -98,7 +98,7 @@ class StepKeys {
                                                              const Rotation& turn) const;
   void add_asymmetry(StepCandidate& candidate, const Turned& turned) const;
   /// match() of two contours.
-  [[nodiscard]] Match match_pair(std::size_t a, std::size_t b, const MatchOptions& options) const;
+  [[nodiscard]] FoundMatch match_pair(std::size_t a, std::size_t b, const MatchOptions& options) const;
 
   Key a_;
   Key b_;

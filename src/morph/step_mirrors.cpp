@@ -36,9 +36,9 @@ void StepKeys::add_asymmetry(StepCandidate& candidate, const Turned& turned) con
                           path_length(b_.paths[*pair.b].control_points().data());
     whole += length;
     if (const auto shared = shared_mirror_of(pair, turned.turn)) {
-      candidate.asymmetry +=
-          length * asymmetry(found.match->correspondence, Reflection(a_.curves[*pair.a], shared->ends[0].u),
-                             Reflection(b_.curves[*pair.b], shared->ends[0].v));
+      candidate.asymmetry += length * asymmetry(found.match->found.path.correspondence,
+                                                Reflection(a_.curves[*pair.a], shared->ends[0].u),
+                                                Reflection(b_.curves[*pair.b], shared->ends[0].v));
     } else if (shared_mirror_of(pair, Rotation(2))) {
       candidate.asymmetry += kLostMirror * length;
     }

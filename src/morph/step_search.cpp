@@ -250,7 +250,7 @@ class StepSearch {
   // Some of the matches may be the optimum: that they were chosen, and under which turn, is not.
   static void mark_inexact(StepCandidate& candidate) {
     for (FoundContour& contour : candidate.contours) {
-      if (contour.match) contour.match->report.exact = false;
+      if (contour.match) contour.match->found.report.exact = false;
     }
   }
 

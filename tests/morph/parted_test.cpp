@@ -55,7 +55,7 @@ std::optional<Parted> part(const std::vector<CubicPath>& a, const std::vector<Cu
   Parted made{0, std::vector<bool>(a.size(), false)};
   EXPECT_EQ(parted->contours.size(), a.size() + count);
   for (const FoundContour& contour : parted->contours) {
-    EXPECT_EQ(contour.match.has_value(), contour.a.has_value() && contour.b.has_value());
+    EXPECT_EQ(contour.match != nullptr, contour.a.has_value() && contour.b.has_value());
     if (!contour.match) continue;
     ++made.paired;
     made.of_a[*contour.a] = true;
