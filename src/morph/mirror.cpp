@@ -57,6 +57,29 @@ struct Ring {
     const auto i = std::min(static_cast<std::size_t>(place), kPlaces - 1);
     return points[i] + (place - static_cast<double>(i)) * (points[(i + 1) % kPlaces] - points[i]);
   }
+  // How well the outline agrees on an axis through place k / 2, see reflected(): at most 1. Every pair of
+  // points counts, so one part of all sums at a time, in loops over lanes.
+  [[nodiscard]] std::vector<double> agreement() const {
+    std::vector<double> x(2 * kPlaces);
+    std::vector<double> y(2 * kPlaces);
+    for (std::size_t i = 0; i < 2 * kPlaces; ++i) {
+      x[i] = points[i % kPlaces].real();
+      y[i] = points[i % kPlaces].imag();
+    }
+    std::vector<double> re(kPlaces);
+    std::vector<double> im(kPlaces);
+    for (std::size_t i = 0; i < kPlaces; ++i) {
+      const double* back_x = x.data() + kPlaces - i;
+      const double* back_y = y.data() + kPlaces - i;
+      for (std::size_t k = 0; k < kPlaces; ++k) {
+        re[k] += x[i] * back_x[k] - y[i] * back_y[k];
+        im[k] += x[i] * back_y[k] + y[i] * back_x[k];
+      }
+    }
+    std::vector<double> agreement(kPlaces);
+    for (std::size_t k = 0; k < kPlaces; ++k) agreement[k] = std::abs(Complex(re[k], im[k])) / square;
+    return agreement;
+  }
   // Of a point and its mirror image the product is e^(2 i phi) times the square of their distance from the
   // centre, phi being the axis: the sum of products over the outline tells how well they agree on one.
   [[nodiscard]] Reflected reflected(double center) const {
@@ -91,13 +114,7 @@ std::vector<Mirror> find_mirrors(const Curve& outline) {
   const ArcLength lengths(outline, 1e-4);
   const Ring ring(outline, lengths);
   if (!(ring.square > 0.0)) return found;
-  std::vector<double> agreement(kPlaces);  // of axes through place k / 2
-  for (std::size_t k = 0; k < kPlaces; ++k) {
-    Complex sum;
-    for (std::size_t i = 0; i < kPlaces; ++i)
-      sum += ring.points[i] * ring.points[(k + kPlaces - i) % kPlaces];
-    agreement[k] = std::abs(sum) / ring.square;
-  }
+  const std::vector<double> agreement = ring.agreement();
   const double least = 1.0 - 0.5 * kRoughly * kRoughly;
   for (std::size_t k = 0; k < kPlaces; ++k) {
     const double before = agreement[(k + kPlaces - 1) % kPlaces];
@@ -165,14 +182,18 @@ double asymmetry(const Correspondence& correspondence, const Reflection& a, cons
   double whole = 0.0;
   const std::vector<ParameterPair>& points = correspondence.points;
   const auto off = [](double x) { return std::fabs(x - std::round(x)); };
+  if (points.empty()) return 0.0;
+  ParameterPair from{a.share(points.front().u), b.share(points.front().v)};
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
     const ParameterPair at{0.5 * (points[i].u + points[i + 1].u), 0.5 * (points[i].v + points[i + 1].v)};
     const double p = a.share(at.u);
     const double q = b.share(at.v);
     const double on_b = off(b.share(correspondence.v_at(a.parameter(1.0 - p))) + q);
     const double on_a = off(a.share(correspondence.u_at(b.parameter(1.0 - q))) + p);
-    const double step_a = a.share(points[i + 1].u) - a.share(points[i].u);
-    const double step_b = b.share(points[i + 1].v) - b.share(points[i].v);
+    const ParameterPair to{a.share(points[i + 1].u), b.share(points[i + 1].v)};
+    const double step_a = to.u - from.u;
+    const double step_b = to.v - from.v;
+    from = to;
     const double weight = step_a - std::floor(step_a) + step_b - std::floor(step_b);
     const double least = std::min(on_a, on_b);
     sum += weight * least * least;
