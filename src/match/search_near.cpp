@@ -11,8 +11,8 @@ namespace detail {
 
 namespace {
 
-/// Coarse to fine: the fine programme may stray from the coarse one by two coarse samples.
-constexpr int kBandRadius = 2 * kCoarsening;
+/// Coarse to fine: the fine programme may stray from the coarse one by three coarse samples.
+constexpr int kBandRadius = 3 * kCoarsening;
 
 }  // namespace
 
