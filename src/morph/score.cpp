@@ -30,7 +30,7 @@ constexpr double kMostLength = 1.4;
 
 // How far from the middle of both keys in-betweens may reach unnoticed, in halves of the diagonal: what turns
 // on the spot stays within 1, an outline that unrolls does not.
-constexpr double kReach = 1.1;
+constexpr double kReach = 1.3;
 
 // Diagonals of a key that a point may move by per unit of s where it leaves it: within 1/5000 of the way
 // it is then still within 1e-3 of its place, as ends that are exact should be (docs/interface.md).
@@ -46,7 +46,7 @@ constexpr double kAreaWeight = 1.0;
 constexpr double kLengthWeight = 1.0;
 constexpr double kTangentWeight = 0.6;
 constexpr double kTurnWeight = 2.0;  // of half a turn
-constexpr double kReachWeight = 1.0;
+constexpr double kReachWeight = 0.5;
 // A correspondence that is off by 2 % of the length is seen as lopsided at once, and costs as
 // much as a turn of 11 degrees.
 constexpr double kAsymmetryWeight = 6.0;

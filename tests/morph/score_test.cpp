@@ -56,7 +56,7 @@ TEST(Judge, LikesInBetweensNearTheKeys) {
   };
   const double straight = blemish({0, 0});
   EXPECT_NEAR(blemish({0, 2}), straight, 1e-12);
-  EXPECT_GT(blemish({0, 6}), straight + 0.1);
+  EXPECT_GT(blemish({0, 8}), straight + 0.03);
 }
 
 TEST(Judge, BeatsWhatItScoresBetterThan) {
