@@ -7,6 +7,7 @@
 #include "io/path_data_reader.h"
 #include "io/scanner.h"
 #include "tandem/curve/bounding_box.h"
+#include "tandem/shape/measures.h"
 
 namespace tandem {
 inline namespace v0 {
@@ -15,6 +16,8 @@ namespace {
 /// How far apart the ends of a filled outline may lie to count as meeting, as a share of its diagonal.
 /// Rounding to two or three decimals in icon files leaves gaps of about 1e-4.
 constexpr double kMeetingEnds = 1e-3;
+/// What a stroked outline encloses at least, as a share of the square of its diagonal.
+constexpr double kLeastArea = 1e-3;
 
 Box box_of(std::span<const double> p, std::span<const double> q) {
   Box box;
@@ -50,6 +53,12 @@ CubicPath closed_by_line(const CubicPath& path) {
   return CubicPath(std::move(points), true);
 }
 
+/// Whether there is something inside.
+bool goes_around(const CubicPath& path) {
+  const double size = bounding_box(to_curve(path)).diagonal();
+  return std::fabs(signed_area(path)) > kLeastArea * size * size;
+}
+
 bool in_range(double x) {
   return std::fabs(x) <= kLargestCoordinate;
 }  // false for NaN
@@ -59,6 +68,15 @@ bool in_range(double x) {
 std::vector<CubicPath> close_meeting_ends(std::vector<CubicPath> paths) {
   for (CubicPath& path : paths) {
     if (!path.is_closed() && ends_meet(path)) path = closed_by_line(path);
+  }
+  return paths;
+}
+
+std::vector<CubicPath> close_meeting_outlines(std::vector<CubicPath> paths) {
+  for (CubicPath& path : paths) {
+    if (path.is_closed() || !ends_meet(path)) continue;
+    CubicPath closed = closed_by_line(path);
+    if (goes_around(closed)) path = std::move(closed);
   }
   return paths;
 }

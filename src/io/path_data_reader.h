@@ -17,6 +17,10 @@ inline namespace v0 {
 /// becomes closed, by a line when there is a gap. Other paths stay as they are.
 [[nodiscard]] std::vector<CubicPath> close_meeting_ends(std::vector<CubicPath> paths);
 
+/// The same for outlines that are stroked only: those that go around an area. A line there and back stays
+/// open.
+[[nodiscard]] std::vector<CubicPath> close_meeting_outlines(std::vector<CubicPath> paths);
+
 /// Whether all control points are within kLargestCoordinate: an arc can reach far beyond its ends.
 [[nodiscard]] bool is_in_range(const CubicPath& path);
 

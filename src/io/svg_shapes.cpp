@@ -144,7 +144,8 @@ class ShapeReader {
 std::vector<CubicPath> read_path(const SvgDocument& document, const pugi::xml_node& node, bool fill,
                                  const Transform& transform) {
   try {
-    return read_path_data(node.attribute("d").value(), fill, transform);
+    std::vector<CubicPath> paths = read_path_data(node.attribute("d").value(), fill, transform);
+    return fill ? paths : close_meeting_outlines(std::move(paths));
   } catch (const SyntaxError& error) {
     document.fail(node, "d", error);
   }
@@ -189,7 +190,7 @@ std::vector<CubicPath> read_svg_shape(const SvgDocument& document, const pugi::x
   try {
     std::vector<CubicPath> paths = ShapeReader(document, node, transform, viewport).read(name);
     if (!std::all_of(paths.begin(), paths.end(), is_in_range)) document.fail(node, kTooLarge);
-    return fill ? close_meeting_ends(std::move(paths)) : paths;
+    return fill ? close_meeting_ends(std::move(paths)) : close_meeting_outlines(std::move(paths));
   } catch (const InvalidArgument&) {
     document.fail(node, kTooLarge);
   }

@@ -255,12 +255,12 @@ TEST(SvgReader, TakesTheFillRuleFromAttributeStyleAndSheet) {
   EXPECT_EQ(sheet("g .a{fill-rule:evenodd}", "class='a'"), FillRule::nonzero);
 }
 
-TEST(SvgReader, LeavesStrokedOutlinesOpen) {
+TEST(SvgReader, LeavesStrokedLinesOpen) {
   const auto is_open_path = [](const std::string& svg) {
     return !parse_svg(svg)[0].shape.contours[0].is_closed();
   };
   // A contour whose ends meet exactly is a closed curve whatever its element says.
-  const std::string gap = "d='M0 0L9 0L9 9L0 0.001'";
+  const std::string gap = "d='M0 0L9 0L9 0.001L0 0.001'";
   EXPECT_FALSE(is_open_path(wrapped("<path " + gap + "/>")));
   EXPECT_TRUE(is_open_path(wrapped("<path fill='none' stroke='red' " + gap + "/>")));
   EXPECT_TRUE(is_open_path(wrapped("<path style='fill:none;stroke:red' " + gap + "/>")));
@@ -268,9 +268,23 @@ TEST(SvgReader, LeavesStrokedOutlinesOpen) {
   EXPECT_TRUE(is_open_path(wrapped("<path stroke='red' " + gap + "/>", "fill='none'")));
   EXPECT_TRUE(
       is_open_path(wrapped("<style>.a{fill:none}</style><path class='a' stroke='red' " + gap + "/>")));
-  EXPECT_TRUE(is_open_path(wrapped("<polyline points='0 0 9 0 9 9 0 .001' fill='none' stroke='red'/>")));
+  EXPECT_TRUE(is_open_path(wrapped("<polyline points='0 0 9 0 9 .001 0 .001' fill='none' stroke='red'/>")));
   EXPECT_FALSE(is_open_path(wrapped("<polygon points='0 0 9 0 9 9' fill='none' stroke='red'/>")));
   EXPECT_FALSE(is_open_path(wrapped("<path fill='none' stroke='red' d='M0 0L9 0L9 9Z'/>")));
+}
+
+// Outlines of stroked icon sets end where they started, but for rounding: they look closed, and should move
+// so.
+TEST(SvgReader, ClosesStrokedOutlinesWhoseEndsMeet) {
+  const auto is_closed = [](const std::string& shape) {
+    return parse_svg(wrapped(shape, "fill='none' stroke='red'"))[0].shape.contours[0].is_closed();
+  };
+  EXPECT_TRUE(is_closed("<path d='M0 0L9 0L9 9L0 0.001'/>"));
+  EXPECT_TRUE(
+      is_closed("<path d='M19.5 12.572l-7.5 7.428l-7.5 -7.428a5 5 0 1 1 7.5 -6.566a5 5 0 1 1 7.5 6.572'/>"));
+  EXPECT_TRUE(is_closed("<polyline points='0 0 9 0 9 9 0 .001'/>"));
+  EXPECT_FALSE(is_closed("<path d='M0 0L9 0L9 9L0 0.1'/>"));
+  EXPECT_FALSE(is_closed("<path d='M3 3h.01'/>"));
 }
 
 TEST(SvgReader, LeavesOutWhatIsNotPaintedBesideWhatIs) {
