@@ -59,6 +59,17 @@ bool goes_around(const CubicPath& path) {
   return std::fabs(signed_area(path)) > kLeastArea * size * size;
 }
 
+/// Closes the open paths whose ends meet, where what comes of it is wanted.
+template <typename IsWanted>
+std::vector<CubicPath> close_where(std::vector<CubicPath> paths, const IsWanted& is_wanted) {
+  for (CubicPath& path : paths) {
+    if (path.is_closed() || !ends_meet(path)) continue;
+    CubicPath closed = closed_by_line(path);
+    if (is_wanted(closed)) path = std::move(closed);
+  }
+  return paths;
+}
+
 bool in_range(double x) {
   return std::fabs(x) <= kLargestCoordinate;
 }  // false for NaN
@@ -66,19 +77,11 @@ bool in_range(double x) {
 }  // namespace
 
 std::vector<CubicPath> close_meeting_ends(std::vector<CubicPath> paths) {
-  for (CubicPath& path : paths) {
-    if (!path.is_closed() && ends_meet(path)) path = closed_by_line(path);
-  }
-  return paths;
+  return close_where(std::move(paths), [](const CubicPath&) { return true; });
 }
 
 std::vector<CubicPath> close_meeting_outlines(std::vector<CubicPath> paths) {
-  for (CubicPath& path : paths) {
-    if (path.is_closed() || !ends_meet(path)) continue;
-    CubicPath closed = closed_by_line(path);
-    if (goes_around(closed)) path = std::move(closed);
-  }
-  return paths;
+  return close_where(std::move(paths), goes_around);
 }
 
 bool is_in_range(const CubicPath& path) {

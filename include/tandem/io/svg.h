@@ -27,9 +27,9 @@ struct SvgElement {
 /// `fill-rule` and `fill="none"` (attribute, style or style sheet) are honoured; what is not drawn (defs,
 /// symbol, clipPath, mask, marker, pattern; display none, visibility hidden) is left out unless used, and so
 /// is what has neither fill nor stroke beside something that has. Outlines are whole: clipping, masks, dashes
-/// and markers do not count. Coordinates are the user units of the outermost <svg>: its
-/// width, height and preserveAspectRatio are not applied. Percentages need its viewBox, or a width and
-/// height.
+/// and markers do not count; stroked ones whose ends meet within 1e-3 of their diagonal are closed.
+/// Coordinates are the user units of the outermost <svg>: its width, height and preserveAspectRatio are not
+/// applied. Percentages need its viewBox, or a width and height.
 /// @throws ParseError malformed XML or attribute, or no drawable at all
 [[nodiscard]] TANDEM_IO_EXPORT std::vector<SvgElement> parse_svg(std::string_view text,
                                                                  const std::string& source = "svg");
